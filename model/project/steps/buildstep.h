@@ -45,6 +45,13 @@ struct StepContext
         return session == nullptr ? nullptr : session->existing<Value>(sharedName(steps, settings));
     }
 
+    /// Lets go of what was made so and nobody uses, where memory is short.
+    void forgetUnused() const
+    {
+        if (session != nullptr)
+            session->forgetUnused();
+    }
+
 private:
     std::string sharedName(const std::vector<std::string>& steps, const std::string& settings) const
     {

@@ -218,19 +218,23 @@ BuildStep edgeStep(const CharacterInputs& work)
     step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
         const auto resultOf = [&](const char* name) { return context.resultOf(work.stepName(name)); };
         const ProjectSettings& settings = work.opener->project().settings;
+        context.forgetUnused();
         const FrameLayout layout = layoutOf(*resultOf(graphstep::poseDistance));
         auto both = context.resultOf(graphs);
         const Digraph motion = storedGraph(*both, "motion-graph", layout.frameCount());
         const Digraph essential = storedGraph(*both, "essential-graph", layout.frameCount());
         both.reset();
+        const std::vector<const Digraph*> all{&motion, &essential};
         std::vector<std::vector<EdgeCost>> costs;
         {
-            const auto shared = costsOf(work, context);
-            costs = {costsOfEdges(motion, *shared), costsOfEdges(essential, *shared)};
-        }
-        {
-            const std::vector<const Digraph*> all{&motion, &essential};
             const std::vector<KnownEdges> known = knownEdges(all, work, context);
+            {
+                const auto shared = costsOf(work, context);
+                for (const Digraph* graph : all)
+                    costs.push_back(costsOfEdges(*graph, *shared));
+            }
+            context.forgetUnused();
+            const float greatestStep = greatestStepOf(*resultOf(graphstep::transitions));
             const RootPoses roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
             const SharedTable<float> distances =
                 sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
@@ -239,7 +243,7 @@ BuildStep edgeStep(const CharacterInputs& work)
                         .distances = *distances,
                         .differences = StepDifferences(roots, layout, settings.fps),
                         .weights = work.graph.steps,
-                        .greatestStep = greatestStepOf(*resultOf(graphstep::transitions)),
+                        .greatestStep = greatestStep,
                         .settings = transitionSettings(work.graph, settings.fps),
                         .stances = roots.stances,
                         .known = [&](std::size_t graph, std::size_t edge) { return known[graph][edge]; }},

@@ -45,6 +45,13 @@ std::shared_ptr<void> ResultSession::existingAs(std::type_index type, const std:
     return found == m_shared.end() ? nullptr : found->second->value.lock();
 }
 
+void ResultSession::forgetUnused()
+{
+    std::map<std::type_index, std::shared_ptr<void>> last; // destroyed without the lock
+    const std::scoped_lock lock(m_mutex);
+    last.swap(m_last);
+}
+
 void ResultSession::countComputed(const std::string& step)
 {
     const std::scoped_lock lock(m_mutex);

@@ -47,6 +47,9 @@ public:
         return std::static_pointer_cast<Value>(existingAs(typeid(Value), name));
     }
 
+    /// Lets go of such things that nobody else holds.
+    void forgetUnused();
+
     /// Notes that a step was computed.
     void countComputed(const std::string& step);
     /// How often steps were computed, by name.

@@ -223,6 +223,18 @@ TEST_F(ResultSessionTest, MakesGraphsOnceForThoseWhoTryAnAlphaThatTheProjectThen
     EXPECT_TRUE(after->graph.hasTablesOf(opened->graph));
 }
 
+TEST(ResultSession, ForgetsWhatNobodyUses)
+{
+    ResultSession session;
+    const auto make = [] { return std::make_shared<const int>(1); };
+    const std::weak_ptr<const int> unused = session.shared<const int>("unused", make);
+    const auto used = session.shared<const double>("used", [] { return std::make_shared<const double>(2); });
+    EXPECT_FALSE(unused.expired()) << "the last one is kept for those who ask next";
+    session.forgetUnused();
+    EXPECT_TRUE(unused.expired());
+    EXPECT_EQ(session.existing<const double>("used"), used);
+}
+
 TEST_F(ResultSessionTest, ReadsTheGraphsOfTheProjectsAlphaAsTheirStepLeftThem)
 {
     run("graph");
