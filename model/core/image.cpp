@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/imagecheck.h"
+#include "model/core/imagecoding.h"
 #include "model/core/jpeg.h"
 #include "model/core/message.h"
 
@@ -23,6 +24,25 @@ bool namesJpeg(std::string extension)
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension == ".jpg" || extension == ".jpeg" || extension == ".jpe";
+}
+
+/// Samples of 8 or 16 bits as sRGB of 8. \param samples  the fourth channel is opacity, which no curve codes.
+template <typename Sample>
+cv::Mat inSrgb(const cv::Mat& samples, double exponent)
+{
+    constexpr int levels = std::numeric_limits<Sample>::max() + 1;
+    const std::vector<std::uint8_t> srgb = srgbOfSamples(exponent, levels);
+    cv::Mat coded;
+    samples.convertTo(coded, CV_8U, 255.0 / (levels - 1));
+    const int channels = samples.channels();
+    for (int row = 0; row < samples.rows; ++row) {
+        const auto* from = samples.ptr<Sample>(row);
+        auto* to = coded.ptr<std::uint8_t>(row);
+        for (int i = 0; i < samples.cols * channels; ++i)
+            if (i % channels != 3)
+                to[i] = srgb[from[i]];
+    }
+    return coded;
 }
 
 } // namespace
@@ -48,13 +68,13 @@ std::string sizeText(int width, int height)
     return std::to_string(width) + " × " + std::to_string(height);
 }
 
-Image readImage(const std::filesystem::path& path)
+Image readImage(const std::filesystem::path& path, ColourMarks marks)
 {
     const FileContent file = readFile(path);
-    return decodeImage(file.bytes(), path);
+    return decodeImage(file.bytes(), path, marks);
 }
 
-Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& path)
+Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& path, ColourMarks marks)
 {
     if (encoded.size() > std::numeric_limits<int>::max())
         throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
@@ -71,6 +91,11 @@ Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::pat
     }
     if (decoded.empty())
         throw Error(ErrorCode::ImageUnreadable, {path, {}, {}});
+    const auto exponent = marks == ColourMarks::Followed ? codingExponent(encoded) : std::nullopt;
+    if (exponent && decoded.depth() == CV_8U)
+        decoded = inSrgb<std::uint8_t>(decoded, *exponent);
+    else if (exponent && decoded.depth() == CV_16U)
+        decoded = inSrgb<std::uint16_t>(decoded, *exponent);
     if (decoded.depth() == CV_16U)
         decoded.convertTo(decoded, CV_8U, 1.0 / 257.0);
     if (decoded.depth() != CV_8U) {

@@ -29,14 +29,22 @@ struct Image
 /// "1280 × 720".
 std::string sizeText(int width, int height);
 
-/// Reads PNG, JPEG or TIFF.
-/// \throws Error FileNotFound, PermissionDenied, FileEmpty, and those of decodeImage.
-Image readImage(const std::filesystem::path& path);
+/// What a picture says about how its samples are coded; see codingExponent.
+enum class ColourMarks
+{
+    Followed, ///< what is coded otherwise is brought to sRGB, from the full depth of its samples
+    Ignored,  ///< samples are sRGB whatever it says
+};
 
-/// Decodes the bytes of a PNG, JPEG or TIFF file.
+/// Reads PNG, JPEG or TIFF. Colours are sRGB.
+/// \throws Error FileNotFound, PermissionDenied, FileEmpty, and those of decodeImage.
+Image readImage(const std::filesystem::path& path, ColourMarks marks = ColourMarks::Followed);
+
+/// Decodes the bytes of a PNG, JPEG or TIFF file. Colours are sRGB.
 /// \param file  names the source in errors.
 /// \throws Error ImageUnreadable, FileTruncated, CountTooLarge, FormatRefused: see checkEncodedImage.
-Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& file = {});
+Image decodeImage(std::span<const std::byte> encoded, const std::filesystem::path& file = {},
+                  ColourMarks marks = ColourMarks::Followed);
 
 /// The bytes of a PNG, JPEG or TIFF file.
 /// \param extension  ".png", ".jpg", …

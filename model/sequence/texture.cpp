@@ -8,7 +8,7 @@ std::shared_ptr<const Image> Texture::load() const
 {
     if (embedded)
         return embedded;
-    return std::make_shared<const Image>(made ? made() : readImage(file));
+    return std::make_shared<const Image>(made ? made() : readImage(file, marks));
 }
 
 TextureSet::TextureSet(Kind kind, std::vector<Texture> textures)

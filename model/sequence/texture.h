@@ -21,6 +21,7 @@ struct Texture
     std::shared_ptr<const Image> embedded;
     /// Called from any thread; the same picture each time. What it throws reaches who asked.
     std::function<Image()> made;
+    ColourMarks marks = ColourMarks::Followed; ///< of its file
 
     bool isEmpty() const { return file.empty() && !embedded && !made; }
     /// The picture, read or made now. \pre !isEmpty() \throws Error what readImage throws.

@@ -29,10 +29,11 @@ std::string entryText(const ExportEntry& entry)
 int writerVersion(const ExportEntry& entry)
 {
     try {
-        constexpr int withPictures = 3;
-        constexpr int asH264 = 2;
+        constexpr int withPictures = 4;
+        constexpr int asH264 = 3;
+        constexpr int inSrgb = 2;
         const std::string& format = exporterOf(entry).format().id;
-        return format == "gltf" ? withPictures : format == "mp4" ? asH264 : 1;
+        return format == "gltf" ? withPictures : format == "mp4" ? asH264 : inSrgb;
     } catch (const Error&) {
         return 1; // of a format that is not known: the step says so
     }

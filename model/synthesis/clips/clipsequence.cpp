@@ -12,7 +12,7 @@ namespace {
 
 bool isSame(const Texture& a, const Texture& b)
 {
-    return a.file == b.file && a.embedded == b.embedded && !a.made && !b.made;
+    return a.file == b.file && a.marks == b.marks && a.embedded == b.embedded && !a.made && !b.made;
 }
 
 bool isSame(const TextureSet& a, const TextureSet& b)

@@ -3,6 +3,7 @@
 #include "model/sequence/io/files/exporttexture.h"
 
 #include "model/core/file.h"
+#include "model/core/imagecoding.h"
 
 #include <array>
 #include <cstdio>
@@ -16,11 +17,11 @@ EncodedTexture encodeTexture(const Texture& texture)
     const FileContent file = readFile(texture.file);
     const std::string_view text = file.text();
     const std::vector<std::byte> bytes(file.bytes().begin(), file.bytes().end());
-    if (text.starts_with("\x89PNG"))
+    if (text.starts_with("\x89PNG") && !codingExponent(bytes))
         return {bytes, ".png", "image/png"};
     if (text.starts_with("\xff\xd8\xff"))
         return {bytes, ".jpg", "image/jpeg"};
-    return {encodeImage(decodeImage(bytes, texture.file), ".png"), ".png", "image/png"};
+    return {encodeImage(decodeImage(bytes, texture.file, texture.marks), ".png"), ".png", "image/png"};
 }
 
 std::string sizeText(std::uint64_t bytes)

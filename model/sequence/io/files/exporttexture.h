@@ -17,7 +17,8 @@ struct EncodedTexture
     std::string mimeType;  ///< "image/png" or "image/jpeg"
 };
 
-/// PNG and JPEG files byte by byte, anything else as PNG.
+/// PNG and JPEG files byte by byte, anything else as PNG; so too what says that it is coded otherwise than as
+/// sRGB, which not all readers heed.
 /// \pre !texture.isEmpty()
 /// \throws Error what reading the file throws.
 EncodedTexture encodeTexture(const Texture& texture);

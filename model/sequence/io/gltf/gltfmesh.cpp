@@ -87,6 +87,7 @@ private:
         return entry->second;
     }
 
+    /// Pictures are sRGB there whatever they say themselves (glTF 2.0, “Images”).
     Texture readTexture(const Json& image)
     {
         const std::string uri = image.value("uri", "");
@@ -94,7 +95,7 @@ private:
             const auto file = m_document.fileOfUri(uri);
             std::error_code error;
             if (std::filesystem::is_regular_file(file, error))
-                return {file, nullptr};
+                return {.file = file, .marks = ColourMarks::Ignored};
             m_scene.issues.push_back({Issue::Severity::Warning,
                                       Issue::Code::TextureMissing,
                                       {m_document.path(), {}, {{"path", file.string()}}}});
@@ -104,7 +105,9 @@ private:
             const auto data = uri.empty() ? std::nullopt : m_document.dataOfUri(uri);
             const auto bytes = data ? std::span<const std::byte>(*data)
                                     : m_document.viewBytes(gltfIndex(image, "bufferView"));
-            return {{}, std::make_shared<const Image>(decodeImage(bytes, m_document.path()))};
+            return {
+                {},
+                std::make_shared<const Image>(decodeImage(bytes, m_document.path(), ColourMarks::Ignored))};
         } catch (const Error&) {
             m_scene.issues.push_back(
                 {Issue::Severity::Warning,

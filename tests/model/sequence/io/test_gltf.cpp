@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/sequence/io/gltf/gltf.h"
+#include "tests/model/markedpng.h"
 #include "tests/model/sequence/io/glbbuilder.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 
@@ -183,7 +184,9 @@ TEST(Gltf, PicturesInsideAndBesideTheFileAreFound)
     quad.json["materials"] = {
         {{"name", "skin"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
     quad.json["textures"] = {{{"source", 0}}};
-    const auto png = encodeImage(red, ".png");
+    red.pixel(0, 1)[0] = 100;
+    const auto png =
+        test::withPngGamma(encodeImage(red, ".png"), 100'000); // which glTF says is to be ignored
     GlbBuilder inside = quad;
     const int view = inside.bytes(std::string(reinterpret_cast<const char*>(png.data()), png.size()));
     inside.json["images"] = {{{"bufferView", view}, {"mimeType", "image/png"}}};
@@ -195,7 +198,7 @@ TEST(Gltf, PicturesInsideAndBesideTheFileAreFound)
     const ImportResult missing = openGltf(folder.write("beside.glb", quad.glb()));
     EXPECT_EQ(missing.sequences.at(0).textures.kind(), TextureSet::Kind::None);
     EXPECT_EQ(missing.issues.at(0).code, Issue::Code::TextureMissing);
-    writeImage(red, folder / "red.png");
+    folder.write("red.png", std::string(reinterpret_cast<const char*>(png.data()), png.size()));
     EXPECT_EQ(*openGltf(folder / "beside.glb").sequences.at(0).texture(FrameIndex(0)), red);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/sequence/io/usdwriter.h"
+#include "tests/model/markedpng.h"
 #include "tests/model/sequence/io/sceneiotest.h"
 #include "tests/model/sequence/io/testsequence.h"
 
@@ -111,6 +112,23 @@ TEST(Usd, MaterialsBecomeSubsetsWithTheirPictures)
     EXPECT_EQ(readImage(folder / "m_texture2.png"), *plainImage(20));
     const auto lower = numbersOf(valueOf(valueOf(text, "GeomSubset \"lower\""), "indices = "));
     EXPECT_THAT(lower, ::testing::ElementsAre(1, 3, 5, 7));
+}
+
+TEST(Usd, PicturesAreWrittenAsSrgb)
+{
+    const TemporaryFolder folder;
+    const auto write = [&](const std::string& name, const std::vector<std::byte>& png) {
+        MeshSequence sequence = wanderingPyramid(2);
+        const std::string text(reinterpret_cast<const char*>(png.data()), png.size());
+        sequence.textures = TextureSet::single({folder.write(name + ".in.png", text)});
+        UsdExporter().write(sequence, folder / (name + ".usda"), {}, {});
+        return textOf(folder / (name + "_texture.png"));
+    };
+    const auto png = encodeImage(*plainImage(55), ".png");
+    const auto usual = test::withPngGamma(png, 45'455);
+    EXPECT_EQ(write("usual", usual), std::string(reinterpret_cast<const char*>(usual.data()), usual.size()));
+    write("linear", test::withPngGamma(png, 100'000));
+    EXPECT_EQ(readImage(folder / "linear_texture.png", ColourMarks::Ignored), *plainImage(128));
 }
 
 TEST(Usd, TexturesPerFrameAreTimeSamples)
