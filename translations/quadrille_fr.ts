@@ -325,6 +325,14 @@
         <source>Bytes a frame</source>
         <translation>Octets par image</translation>
     </message>
+    <message>
+        <source>Textures learned from poses</source>
+        <translation>Textures apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Textures of the poses of a take that was left out: of the nearest frame of the others, their mean, and learned from poses</source>
+        <translation>Textures des poses d’une prise laissée de côté : de l’image la plus proche des autres, leur moyenne, et apprises d’après les poses</translation>
+    </message>
 </context>
 <context>
     <name>EvaluationWord</name>
@@ -1263,6 +1271,54 @@
     <message>
         <source>least</source>
         <translation>le moins</translation>
+    </message>
+    <message>
+        <source>difference, nearest frame</source>
+        <translation>différence, image la plus proche</translation>
+    </message>
+    <message>
+        <source>difference, mean</source>
+        <translation>différence, moyenne</translation>
+    </message>
+    <message>
+        <source>difference, learned</source>
+        <translation>différence, apprise</translation>
+    </message>
+    <message>
+        <source>difference of warps, nearest frame</source>
+        <translation>différence des déformations, image la plus proche</translation>
+    </message>
+    <message>
+        <source>difference of warps, mean</source>
+        <translation>différence des déformations, moyenne</translation>
+    </message>
+    <message>
+        <source>difference of warps, learned</source>
+        <translation>différence des déformations, apprise</translation>
+    </message>
+    <message>
+        <source>SSIM, nearest frame</source>
+        <translation>SSIM, image la plus proche</translation>
+    </message>
+    <message>
+        <source>SSIM, mean</source>
+        <translation>SSIM, moyenne</translation>
+    </message>
+    <message>
+        <source>SSIM, learned</source>
+        <translation>SSIM, apprise</translation>
+    </message>
+    <message>
+        <source>squared error, nearest frame</source>
+        <translation>erreur quadratique, image la plus proche</translation>
+    </message>
+    <message>
+        <source>squared error, mean</source>
+        <translation>erreur quadratique, moyenne</translation>
+    </message>
+    <message>
+        <source>squared error, learned</source>
+        <translation>erreur quadratique, apprise</translation>
     </message>
 </context>
 <context>
@@ -2889,6 +2945,10 @@
         <source>Give it sequences with more frames.</source>
         <translation>Donnez-lui des séquences de plus d’images.</translation>
     </message>
+    <message>
+        <source>Give it a second sequence with a texture for each frame.</source>
+        <translation>Donnez-lui une deuxième séquence avec une texture par image.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -3839,6 +3899,22 @@
         <source>Not built yet</source>
         <translation>Pas encore construit</translation>
     </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
+        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
+    </message>
+    <message>
+        <source>Learned from poses</source>
+        <translation>Apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Of captured frames</source>
+        <translation>D’images captées</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AppearanceEdits</name>
@@ -3920,6 +3996,22 @@
             <numerusform>%n texture</numerusform>
             <numerusform>%n textures</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
+        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
+    </message>
+    <message>
+        <source>Learned from poses</source>
+        <translation>Apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Of captured frames</source>
+        <translation>D’images captées</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/appearanceresults.h"
 
+#include "model/project/store/appearanceresult.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -43,6 +45,24 @@ void AppearanceResults::follow(const ChangeEvent& event)
     } else {
         WantedResults::follow(event);
     }
+    if (event.touches(Section::Appearances))
+        followVaried(event.kind != ChangeEvent::Kind::Reset);
+}
+
+void AppearanceResults::followVaried(bool tells)
+{
+    const QHash<QString, VariedTextures> before = std::exchange(m_varied, {});
+    QStringList changed;
+    for (const AppearanceEntry& entry : document().project().appearances) {
+        const QString name = QString::fromStdString(entry.name);
+        m_varied.insert(name, entry.varied);
+        if (before.value(name, entry.varied) != entry.varied)
+            changed += name;
+    }
+    for (const QString& name : std::as_const(changed)) {
+        if (tells)
+            emit texturesMade(name);
+    }
 }
 
 /// Results bear the name of their entry.
@@ -72,6 +92,8 @@ Project AppearanceResults::basisOf(const QString& name) const
         sequence.contacts.clear();
     }
     basis.appearances = {*findAppearance(project, name.toStdString())};
+    if (learnsPoses(project, basis.appearances.front()))
+        basis.variations.emplace_back(); // that there are some is all that counts
     return basis;
 }
 

@@ -5,6 +5,8 @@
 #include "editor/documents/appearancework.h"
 #include "editor/documents/wantedresults.h"
 
+#include <QHash>
+
 namespace quadrille {
 
 /// The models of appearance of a document. Of those that somebody looks at, the last one computed is read,
@@ -45,7 +47,8 @@ public:
     void complete(const QString& name);
 
 signals:
-    /// A model was computed, or textures were completed: clips that were opened before have others.
+    /// A model was computed, textures were completed, or variations take them from elsewhere: clips that were
+    /// opened before have others.
     void texturesMade(const QString& name);
 
 private:
@@ -63,8 +66,10 @@ private:
     static void take(Item& item, OpenedAppearancePointer opened);
     AppearanceJob jobOf(const QString& name, const Item& item) const;
     Project basisOf(const QString& name) const;
+    void followVaried(bool tells);
 
     QStringList m_wanted;
+    QHash<QString, VariedTextures> m_varied; ///< what the project says of its models
 };
 
 } // namespace quadrille

@@ -19,21 +19,29 @@ OpenedAppearancePointer openedFrom(const AppearanceJob& job, const ProjectResult
     const std::string model = appearanceModelStep(job.name);
     const std::string completions = appearanceCompletionsStep(job.name);
     std::vector<std::string> steps{model};
+    const std::string poses = appearancePosesStep(job.name);
+    const bool hasPoses = learnsPoses(job.working.project, entry);
     if (!entry.completions.empty())
         steps.push_back(completions);
+    if (hasPoses)
+        steps.push_back(poses);
     const FreshResults fresh = results.freshOf(results.bring(steps, progress, {.dryRun = true}));
     OpenedAppearance opened;
     if (job.before != nullptr)
         opened = *job.before;
-    opened.isFresh = fresh.has(model);
+    const bool isModelFresh = fresh.has(model);
+    const bool arePosesFresh = hasPoses && fresh.has(poses);
+    opened.isFresh = isModelFresh && (arePosesFresh || !hasPoses);
     opened.areCompletionsFresh = !entry.completions.empty() && fresh.has(completions);
-    std::string keys = opened.isFresh ? fresh.keyOf(model) : std::string();
+    std::string keys = isModelFresh ? fresh.keyOf(model) : std::string();
     if (opened.areCompletionsFresh)
         keys += " " + fresh.keyOf(completions);
-    const bool isRead = opened.decoder != nullptr && (!opened.isFresh || keys == opened.keys);
+    if (arePosesFresh)
+        keys += " " + fresh.keyOf(poses);
+    const bool isRead = opened.decoder != nullptr && (!isModelFresh || keys == opened.keys);
     if (!isRead) {
         const std::filesystem::path& file = job.working.file;
-        auto known = readAppearances(cacheFolder(file), file.parent_path(), job.name);
+        auto known = readAppearances(cacheFolder(file), file.parent_path(), entry);
         opened.decoder = known ? std::make_shared<const AppearanceDecoder>(known->model) : nullptr;
         opened.known = known ? std::move(*known) : FrameAppearances();
         opened.keys = std::move(keys);
@@ -45,7 +53,10 @@ OpenedAppearancePointer openedFrom(const AppearanceJob& job, const ProjectResult
 OpenedAppearancePointer brought(const AppearanceJob& job, const std::string& step, const Progress& progress)
 {
     const ProjectResults results(job.working);
-    results.get({step}, progress.part(0, computed));
+    std::vector<std::string> steps{step};
+    if (learnsPoses(job.working.project, *findAppearance(job.working.project, job.name)))
+        steps.push_back(appearancePosesStep(job.name));
+    results.get(steps, progress.part(0, computed));
     return openedFrom(job, results, progress.part(computed, 1));
 }
 

@@ -15,9 +15,9 @@ struct OpenedAppearance
 {
     FrameAppearances known;
     std::shared_ptr<const AppearanceDecoder> decoder; ///< null where nothing was computed yet
-    bool isFresh = false;                             ///< the model is as the project says
-    bool areCompletionsFresh = false;                 ///< so are the textures that it completes
-    std::string keys;                                 ///< of the results that it was read from
+    bool isFresh = false;             ///< the model is as the project says, and what variations take from it
+    bool areCompletionsFresh = false; ///< so are the textures that it completes
+    std::string keys;                 ///< of the results that it was read from
 };
 using OpenedAppearancePointer = std::shared_ptr<const OpenedAppearance>;
 
@@ -33,7 +33,8 @@ struct AppearanceJob
 /// What the last rebuild left of a model, and whether that is as the project says; computes nothing. What was
 /// opened already is not read again. \throws Error Cancelled, of opening sequences.
 OpenedAppearancePointer openAppearance(const AppearanceJob& job, const Progress& progress);
-/// Brings a model up to date first. \throws Error of the step that failed, Cancelled.
+/// Brings a model, and what variations take from it, up to date first. \throws Error of the step that failed,
+/// Cancelled.
 OpenedAppearancePointer buildAppearanceModel(const AppearanceJob& job, const Progress& progress);
 /// Brings the model and the textures that it completes up to date first. \pre There are completions.
 /// \throws as buildAppearanceModel.

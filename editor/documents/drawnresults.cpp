@@ -106,7 +106,8 @@ std::shared_ptr<const std::vector<DrawnSet>> readDrawn(const VariationJob& job, 
             if (!clip)
                 throw Error(ErrorCode::ResultReplaced, {.values = {{"stage", clipStep(job, drawn.number)}}});
             const std::string name = variationClip(job.name, drawn.number);
-            drawn.sequence = toSequence(name.substr(name.find('/') + 1), std::move(*clip), takes);
+            drawn.sequence =
+                toSequence(name.substr(name.find('/') + 1), shownAsVariation(std::move(*clip)), takes);
             drawn.latents = latents.at(s).at(candidate);
             drawn.quality = selections[s].candidates[candidate].quality;
             set.variations.push_back(std::move(drawn));

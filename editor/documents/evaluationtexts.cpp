@@ -81,6 +81,10 @@ constexpr std::array tableTexts{
     TableText{"appearance-interpolation", QT_TRANSLATE_NOOP("Evaluation", "Interpolated textures"),
               QT_TRANSLATE_NOOP("Evaluation", "Textures midway between two frames, by the model and blended, "
                                               "against the captured one in the middle")},
+    TableText{"appearance-shape", QT_TRANSLATE_NOOP("Evaluation", "Textures learned from poses"),
+              QT_TRANSLATE_NOOP("Evaluation",
+                                "Textures of the poses of a take that was left out: of the nearest frame of "
+                                "the others, their mean, and learned from poses")},
     TableText{
         "appearance-rates", QT_TRANSLATE_NOOP("Evaluation", "Bytes of textures"),
         QT_TRANSLATE_NOOP(

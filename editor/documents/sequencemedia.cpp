@@ -123,9 +123,11 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             addClip("variations/" + variation.name);
         // Frames between captured ones have textures of a model, whatever that is made of.
         for (const AppearanceEntry& appearance : document().project().appearances) {
-            source.parts->appearances.push_back({.name = appearance.name, .character = appearance.character});
+            source.parts->appearances.push_back(
+                {.name = appearance.name, .character = appearance.character, .varied = appearance.varied});
             addTime(appearanceModelStep(appearance.name));
             addTime(appearanceCompletionsStep(appearance.name));
+            addTime(appearancePosesStep(appearance.name));
         }
         source.folder = document().workingFile().parent_path();
     }

@@ -52,6 +52,14 @@ void AppearancePage::addSettings()
                         [] { return tr("How the way of each texel is found from texture to texture"); }},
                        &AppearanceEntry::flow,
                        {[] { return tr("TV-L1"); }, [] { return tr("Dense inverse search, quick"); }});
+    m_fields.addChoice(
+        {"appearanceVaried", [] { return tr("Variations"); },
+         [] {
+             return tr("What frames of variations take their textures from: their poses, as the model "
+                       "learned to vary with them, or the captured frames that they vary");
+         }},
+        &AppearanceEntry::varied,
+        {[] { return tr("Learned from poses"); }, [] { return tr("Of captured frames"); }});
 }
 
 QString AppearancePage::character() const

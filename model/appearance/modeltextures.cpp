@@ -98,4 +98,21 @@ Texture ModelTextures::between(const CapturedTexture& first, const CapturedTextu
     }};
 }
 
+Texture ModelTextures::ofPose(const std::shared_ptr<const FrameSource>& poses, FrameIndex frame, double share,
+                              const Texture& captured) const
+{
+    const auto known = opened();
+    if (!known || !known->appearances.poses || !known->appearances.poses->fits(poses->vertexCount()))
+        return {};
+    return {.made = [known, poses, frame, share, captured] {
+        std::vector<Vec3f> pose(poses->vertexCount());
+        poses->read(frame, pose);
+        Image own = known->decoder.decode(known->appearances.poses->at(pose));
+        if (share >= 1 || captured.isEmpty())
+            return own;
+        const auto other = captured.load();
+        return known->fits(*other) ? mixedTexture(*other, own, share) : own;
+    }};
+}
+
 } // namespace quadrille

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/appearance/decode.h"
+#include "model/appearance/poseappearance.h"
 #include "model/sequence/texture.h"
 
 #include <functional>
@@ -23,6 +24,8 @@ struct FrameAppearances
     std::shared_ptr<const AppearanceModel> model;
     std::map<Key, AppearanceCoefficients> coefficients; ///< of the textures that it knows
     std::map<Key, Texture> completed;                   ///< shown in place of those that were captured
+    /// Of poses that were not captured; null: they have those of captured frames.
+    std::shared_ptr<const PoseAppearance> poses = nullptr;
 };
 
 /// Both textures as they are, each shining through the other. \param weight  of the second, 0 … 1. \pre They
@@ -51,6 +54,8 @@ public:
     Texture between(const CapturedTexture& first, const CapturedTexture& second,
                     double weight) const override;
     Texture inPlaceOf(const CapturedTexture& texture) const override;
+    Texture ofPose(const std::shared_ptr<const FrameSource>& poses, FrameIndex frame, double share,
+                   const Texture& captured) const override;
 
 private:
     struct Opened;

@@ -14,6 +14,8 @@
 
 namespace quadrille {
 
+class FrameSource;
+
 /// One texture: a file, a picture embedded in a scene file, or one that is made when it is asked for.
 struct Texture
 {
@@ -48,6 +50,11 @@ public:
     /// What is shown in place of a captured frame's own texture, such as one that was completed; an empty one
     /// where that is its own.
     virtual Texture inPlaceOf(const CapturedTexture& texture) const = 0;
+    /// The texture of a pose that nobody captured, as textures vary with poses. \param share  0 … 1, how much
+    /// of the pose was not captured. \param captured  what the rest of it has.
+    /// \return an empty one where it knows nothing of poses.
+    virtual Texture ofPose(const std::shared_ptr<const FrameSource>& poses, FrameIndex frame, double share,
+                           const Texture& captured) const = 0;
 };
 
 /// The textures of a sequence: none, one, one per frame, or one per material. Cheap to copy; read when asked

@@ -81,6 +81,12 @@ private slots:
         QCOMPARE(entry().warpShare, 0.5);
         choose("appearanceBarFlow", 0);
         QCOMPARE(entry().flow, FlowMethod::TvL1);
+        QSignalSpy others(&context().appearances, &AppearanceResults::texturesMade);
+        choose("appearanceBarVaried", 1);
+        QCOMPARE(entry().varied, VariedTextures::Nearest);
+        QCOMPARE(others.size(), 1); // clips of variations have other textures
+        document().undo();
+        QCOMPARE(others.size(), 2);
         document().undo();
         document().undo();
         document().undo();

@@ -85,6 +85,9 @@ private slots:
         QVERIFY(entry().flow == FlowMethod::Dis);
         test::find<QDoubleSpinBox>("appearanceWarps")->setValue(25);
         QCOMPARE(entry().warpShare, 0.25);
+        QTest::keyClick(test::find<QComboBox>("appearanceVaried"), Qt::Key_Down);
+        QVERIFY(entry().varied == VariedTextures::Nearest);
+        document().undo();
         document().undo();
         document().undo();
         document().undo();

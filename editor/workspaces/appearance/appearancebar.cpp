@@ -47,9 +47,11 @@ AppearanceBar::AppearanceBar(CurrentAppearance& appearance, QWidget* parent)
     , m_appearance(appearance)
     , m_names(new QComboBox)
     , m_flow(new QComboBox)
+    , m_varied(new QComboBox)
     , m_componentsLabel(new QLabel)
     , m_warpsLabel(new QLabel)
     , m_flowLabel(new QLabel)
+    , m_variedLabel(new QLabel)
     , m_progress(new QProgressBar)
     , m_state(new QLabel)
 {
@@ -114,7 +116,9 @@ void AppearanceBar::makeFields()
     m_flow->setObjectName(QStringLiteral("appearanceBarFlow"));
     m_progress->setObjectName(QStringLiteral("appearanceProgress"));
     m_state->setObjectName(QStringLiteral("appearanceState"));
+    m_varied->setObjectName(QStringLiteral("appearanceBarVaried"));
     m_flow->addItems({{}, {}});
+    m_varied->addItems({{}, {}});
     connect(m_names, &QComboBox::activated, this, [this] {
         m_appearance.context().selection.select({Section::Appearances, m_names->currentText()});
     });
@@ -129,6 +133,10 @@ void AppearanceBar::makeFields()
     connect(m_flow, &QComboBox::currentIndexChanged, this, [this](int index) {
         edit(m_flowLabel->text(), "appearanceFlow",
              [index](AppearanceEntry& entry) { entry.flow = static_cast<FlowMethod>(index); });
+    });
+    connect(m_varied, &QComboBox::currentIndexChanged, this, [this](int index) {
+        edit(m_variedLabel->text(), "appearanceVaried",
+             [index](AppearanceEntry& entry) { entry.varied = static_cast<VariedTextures>(index); });
     });
 }
 
@@ -171,6 +179,7 @@ void AppearanceBar::arrangeWidgets()
     add(m_componentsLabel, m_components);
     add(m_warpsLabel, m_warps);
     add(m_flowLabel, m_flow);
+    add(m_variedLabel, m_varied);
     lower->addStretch(1);
     column->addLayout(upper);
     column->addLayout(lower);
@@ -191,6 +200,11 @@ void AppearanceBar::retranslate()
     m_flow->setToolTip(tr("How the way of each texel is found from texture to texture"));
     m_flow->setItemText(0, tr("TV-L1"));
     m_flow->setItemText(1, tr("Dense inverse search, quick"));
+    m_variedLabel->setText(tr("Variations"));
+    m_varied->setToolTip(tr("What frames of variations take their textures from: their poses, as the model "
+                            "learned to vary with them, or the captured frames that they vary"));
+    m_varied->setItemText(0, tr("Learned from poses"));
+    m_varied->setItemText(1, tr("Of captured frames"));
     refresh();
 }
 
@@ -210,13 +224,15 @@ void AppearanceBar::refresh()
     m_names->setCurrentIndex(m_names->findText(m_appearance.name()));
     m_names->setEnabled(m_names->count() > 0);
     const AppearanceEntry* entry = m_appearance.entry();
-    for (QWidget* field : std::initializer_list<QWidget*>{m_components, m_warps, m_flow, m_componentsLabel,
-                                                          m_warpsLabel, m_flowLabel})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_components, m_warps, m_flow, m_varied, m_componentsLabel,
+                                         m_warpsLabel, m_flowLabel, m_variedLabel})
         field->setVisible(entry != nullptr);
     if (entry != nullptr) {
         showNumber(*m_components, static_cast<double>(entry->components));
         showNumber(*m_warps, entry->warpShare / warpsLook().scale);
         m_flow->setCurrentIndex(static_cast<int>(entry->flow));
+        m_varied->setCurrentIndex(static_cast<int>(entry->varied));
     }
     m_appearance.context().actions.action("appearance.duplicate")->setEnabled(entry != nullptr);
     refreshState();

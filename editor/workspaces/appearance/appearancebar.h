@@ -39,9 +39,11 @@ private:
     QDoubleSpinBox* m_components = nullptr;
     QDoubleSpinBox* m_warps = nullptr;
     QComboBox* m_flow;
+    QComboBox* m_varied;
     QLabel* m_componentsLabel;
     QLabel* m_warpsLabel;
     QLabel* m_flowLabel;
+    QLabel* m_variedLabel;
     QToolButton* m_build = nullptr;
     QToolButton* m_stop = nullptr;
     QProgressBar* m_progress;

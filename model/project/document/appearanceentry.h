@@ -34,6 +34,13 @@ struct CompletionEntry
     bool operator==(const CompletionEntry&) const = default;
 };
 
+/// What frames of variations take their textures from.
+enum class VariedTextures
+{
+    Learned, ///< from their poses, as textures were learned to vary with them
+    Nearest, ///< from the captured frames that they vary
+};
+
 /// A model of the textures of one character: Eigen textures and Eigen warps (SMCAS §5).
 struct AppearanceEntry
 {
@@ -44,6 +51,7 @@ struct AppearanceEntry
     double warpShare = 0.33;            ///< of the components
     FlowMethod flow = FlowMethod::TvL1;
     std::optional<NamedFrame> reference; ///< that all textures are aligned to; the medoid when empty
+    VariedTextures varied = VariedTextures::Learned;
     std::vector<CompletionEntry> completions;
     UnknownKeys unknown;
 

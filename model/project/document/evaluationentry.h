@@ -25,6 +25,7 @@ struct EvaluationEntry
     /// What is drawn: fig4: pairs of frames, 20; table2: keys, 10; junctions: transitions, 200.
     /// fig17 and fig18: cameras around the body, 4. fig19 and fig20: sets of frames to learn from, of each
     /// size, 5. fig22: pairs of frames, 20; appearance-interpolation: frames at each distance, 20.
+    /// appearance-shape: frames of each take whose textures are compared, 10.
     std::optional<std::int64_t> count;
     std::int64_t seed = 1; ///< of what is drawn
     nlohmann::ordered_json unknown;
@@ -35,7 +36,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 20> evaluationTables{
+inline constexpr std::array<std::string_view, 21> evaluationTables{
     "fig4",       ///< interpolation of poses: how edges and volume are kept
     "fig7",       ///< kinds of transitions
     "fig9",       ///< Essential graph and motion graph
@@ -55,6 +56,7 @@ inline constexpr std::array<std::string_view, 20> evaluationTables{
     "fig20",      ///< the same, mean squared error
     "fig22",      ///< textures between two, by the number of Eigen textures
     "appearance-interpolation", ///< not of the paper: textures between two against captured ones
+    "appearance-shape",         ///< not of the paper: textures learned from poses, a take left out
     "appearance-rates",         ///< not of the paper: bytes of textures and what they lose
 };
 

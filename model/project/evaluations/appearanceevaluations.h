@@ -49,6 +49,7 @@ BuildStep compactnessStep(const AppearanceInputs& inputs, const EvaluationEntry&
 BuildStep generalisationStep(const AppearanceInputs& inputs, const EvaluationEntry& evaluation);
 BuildStep fig22Step(const AppearanceInputs& inputs, const EvaluationEntry& evaluation);
 BuildStep appearanceInterpolationStep(const AppearanceInputs& inputs, const EvaluationEntry& evaluation);
+BuildStep appearanceShapeStep(const AppearanceInputs& inputs, const EvaluationEntry& evaluation);
 BuildStep appearanceRatesStep(const AppearanceInputs& inputs, const EvaluationEntry& evaluation);
 
 } // namespace quadrille

@@ -45,6 +45,7 @@ MakeAppearanceStep appearanceMakerOf(const std::string& table)
         {"fig20", generalisationStep},
         {"fig22", fig22Step},
         {"appearance-interpolation", appearanceInterpolationStep},
+        {"appearance-shape", appearanceShapeStep},
         {"appearance-rates", appearanceRatesStep}};
     return makers.at(table);
 }

@@ -59,6 +59,11 @@ void describe(Fields& f, Type<AppearanceEntry>)
            {.help = "How textures are aligned: by TV-L1, or quickly by dense inverse search."});
     f.object("reference", &E::reference,
              {.help = "The frame that all textures are aligned to; the most central one."});
+    f.word(
+        "varied", &E::varied,
+        words<VariedTextures>({{"learned", VariedTextures::Learned}, {"nearest", VariedTextures::Nearest}}),
+        {.help = "What frames of variations take their textures from: their poses, or the captured "
+                 "frames that they vary."});
     f.list("completions", &E::completions, {.help = "Textures of which a part is filled in."});
     f.unknown(&E::unknown);
 }

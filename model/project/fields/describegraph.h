@@ -81,7 +81,8 @@ void describe(Fields& f, Type<EvaluationEntry>)
              "variations beside the takes that they vary (variations). Of a model of appearance: how well "
              "textures are restored by its number of components (fig17 SSIM, fig18 squared error), those "
              "that were left out (fig19, fig20), textures between two by Eigen textures (fig22) and "
-             "against captured ones (appearance-interpolation), and bytes (appearance-rates).",
+             "against captured ones (appearance-interpolation), those of poses of a take that was left out "
+             "(appearance-shape), and bytes (appearance-rates).",
          .need = Need::Required,
          .choices = evaluationTables});
     f.reference("character", &E::character, NamedKind::Character,
@@ -100,8 +101,8 @@ void describe(Fields& f, Type<EvaluationEntry>)
         {.help =
              "What is drawn: pairs of frames for fig4 and fig22 (20), keys for table2 (10), transitions for "
              "junctions (200), sets of frames of each size for fig19 and fig20 (5), frames at each "
-             "distance for appearance-interpolation (20). Of fig17 and fig18: cameras around the body "
-             "(4).",
+             "distance for appearance-interpolation (20), frames of each take for appearance-shape (10). Of "
+             "fig17 and fig18: cameras around the body (4).",
          .limits = Limits::between(1, 100'000, "The count must be from 1 to 100000")});
     f.field("seed", &E::seed,
             {.help = "Of what is drawn.",

@@ -236,9 +236,9 @@ std::shared_ptr<const TextureBlender> SequenceOpener::blenderOf(const std::strin
     const std::scoped_lock lock(m_mutex);
     std::shared_ptr<const TextureBlender>& blender = m_blenders[entry->name];
     if (!blender)
-        blender = std::make_shared<const ModelTextures>(
-            [results = m_results, folder = m_folder, name = entry->name] {
-                return readAppearances(results, folder, name);
+        blender =
+            std::make_shared<const ModelTextures>([results = m_results, folder = m_folder, own = *entry] {
+                return readAppearances(results, folder, own);
             });
     return blender;
 }

@@ -11,7 +11,7 @@
 #include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
-#include "model/project/steps/appearancework.h"
+#include "model/project/steps/appearanceposes.h"
 #include "model/project/steps/buildstep.h"
 #include "model/project/steps/completionmask.h"
 #include "model/project/store/tablebuilder.h"
@@ -133,6 +133,7 @@ BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
     const std::vector<std::string> sequences = trainingSequences(project, work->entry);
     AppearanceEntry learned = work->entry;
     learned.name.clear();
+    learned.varied = {};
     for (CompletionEntry& completion : learned.completions) { // all that counts is which textures they are
         completion.mask.clear();
         completion.strokes.clear();
@@ -235,6 +236,8 @@ std::vector<BuildStep> makeAppearanceSteps(const StepMaking& making)
         steps.push_back(modelStep(work));
         if (!entry.completions.empty())
             steps.push_back(completionsStep(work));
+        if (learnsPoses(making.opener->project(), entry))
+            steps.push_back(posesStep(work));
     }
     return steps;
 }

@@ -5,6 +5,7 @@
 #include "model/appearance/appearancefile.h"
 #include "model/core/error.h"
 #include "model/project/document/findentry.h"
+#include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/store/resultstore.h"
 #include "model/project/store/tablebuilder.h"
@@ -20,6 +21,10 @@ namespace {
 constexpr auto completionsName = "completions";
 constexpr auto textureCoefficientsName = "completed-coefficients";
 constexpr auto warpCoefficientsName = "completed-warp-coefficients";
+constexpr auto posesName = "poses";
+constexpr auto poseVerticesName = "pose-vertices";
+constexpr auto poseFramesName = "pose-frames";
+constexpr auto poseScalesName = "pose-scales";
 
 const DataTable* findTable(const Result& result, const char* name)
 {
@@ -78,6 +83,44 @@ void addCompletions(FrameAppearances& appearances, const Result& result, const f
     }
 }
 
+template <typename Values>
+const Values& valuesNamed(const Result& result, const char* name)
+{
+    return std::get<Values>(std::ranges::find(result.arrays, name, &DataArray::name)->values);
+}
+
+/// Adds how appearance varies with poses, where that is of the model's frames.
+void addPoses(FrameAppearances& appearances, const Result& result)
+{
+    const DataTable* frames = findTable(result, poseFramesName);
+    if (frames == nullptr)
+        return;
+    const auto& sequences = columnNamed<TextColumn>(*frames, "sequence");
+    const auto& numbers = columnNamed<std::vector<std::int64_t>>(*frames, "frame");
+    const AppearanceModel& model = *appearances.model;
+    Eigen::MatrixXd textures(std::ssize(numbers), model.textures.count);
+    Eigen::MatrixXd warps(std::ssize(numbers), model.warps.count);
+    const auto put = [](const std::vector<float>& from, auto row) {
+        row = Eigen::Map<const Eigen::VectorXf>(from.data(), std::ssize(from)).cast<double>();
+    };
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto known = appearances.coefficients.find({sequences[i], FrameIndex(numbers[i])});
+        if (known == appearances.coefficients.end())
+            return;
+        put(known->second.textures, textures.row(static_cast<Eigen::Index>(i)));
+        put(known->second.warps, warps.row(static_cast<Eigen::Index>(i)));
+    }
+    PosePlaces places{.positions = valuesNamed<std::vector<float>>(result, posesName)};
+    for (const std::int64_t vertex : valuesNamed<std::vector<std::int64_t>>(result, poseVerticesName))
+        places.vertices.push_back(static_cast<std::uint32_t>(vertex));
+    const DataTable& scales = *findTable(result, poseScalesName);
+    const auto& lengths = columnNamed<std::vector<double>>(scales, "length");
+    const auto& trusts = columnNamed<std::vector<double>>(scales, "trust");
+    appearances.poses = std::make_shared<const PoseAppearance>(
+        std::move(places), textures, warps,
+        PoseScales{.textures = {lengths[0], trusts[0]}, .warps = {lengths[1], trusts[1]}});
+}
+
 } // namespace
 
 std::string appearanceModelStep(const std::string& name)
@@ -90,6 +133,17 @@ std::string appearanceCompletionsStep(const std::string& name)
     return "appearance/" + name + "/completions";
 }
 
+std::string appearancePosesStep(const std::string& name)
+{
+    return "appearance/" + name + "/poses";
+}
+
+bool learnsPoses(const Project& project, const AppearanceEntry& entry)
+{
+    return entry.varied == VariedTextures::Learned &&
+           !learnedVariations(project, characterNameOf(project, entry)).empty();
+}
+
 std::vector<std::string> appearanceSteps(const Project& project, const std::string& character)
 {
     const AppearanceEntry* entry = appearanceOf(project, character);
@@ -98,6 +152,8 @@ std::vector<std::string> appearanceSteps(const Project& project, const std::stri
     std::vector<std::string> steps{appearanceModelStep(entry->name)};
     if (!entry->completions.empty())
         steps.push_back(appearanceCompletionsStep(entry->name));
+    if (learnsPoses(project, *entry))
+        steps.push_back(appearancePosesStep(entry->name));
     return steps;
 }
 
@@ -165,9 +221,39 @@ Result completionsResult(std::span<const CompletedFrame> frames)
     return result;
 }
 
-std::optional<FrameAppearances> readAppearances(const fs::path& results, const fs::path& folder,
-                                                const std::string& name)
+Result posesResult(const LearnedPoses& poses, const std::string& unit)
 {
+    TableBuilder frames(poseFramesName, "The frames that have the poses that appearance was learned from.");
+    frames.text("sequence").whole("frame", "frame");
+    for (const auto& [sequence, frame] : poses.frames)
+        frames.add({sequence, frame.value});
+    TableBuilder scales(poseScalesName,
+                        "How coefficients are regressed on poses: the length of the kernel, by which poses "
+                        "count as near, and how much of their variance poses explain, in variances of what "
+                        "they do not; 0: nothing, they are the mean.");
+    scales.text("coefficients").real("length", unit).real("trust");
+    scales.add({"textures", poses.scales.textures.length, poses.scales.textures.trust});
+    scales.add({"warps", poses.scales.warps.length, poses.scales.warps.trust});
+    DataArray vertices =
+        columnOf(poseVerticesName, "",
+                 std::vector<std::int64_t>(poses.places.vertices.begin(), poses.places.vertices.end()));
+    vertices.description = "The vertices of which “poses” has the positions.";
+    Result result;
+    result.arrays = {{.name = posesName,
+                      .description = "Poses that appearance was learned from, laid on the first by a rigid "
+                                     "motion.",
+                      .unit = unit,
+                      .shape = {poses.places.count(), std::ssize(poses.places.vertices), 3},
+                      .values = poses.places.positions},
+                     std::move(vertices)};
+    result.tables = {std::move(frames).table(), std::move(scales).table()};
+    return result;
+}
+
+std::optional<FrameAppearances> readAppearances(const fs::path& results, const fs::path& folder,
+                                                const AppearanceEntry& entry)
+{
+    const std::string& name = entry.name;
     try {
         const ResultStore store(results);
         const ResultPointer model = store.load(appearanceModelStep(name), {}).result;
@@ -178,6 +264,8 @@ std::optional<FrameAppearances> readAppearances(const fs::path& results, const f
         for (const AppearanceRow& each : appearanceRows(*model))
             appearances.coefficients[{each.sequence, each.frame}] =
                 coefficientsOf(*appearances.model, static_cast<std::size_t>(each.row));
+        if (entry.varied == VariedTextures::Learned)
+            addPoses(appearances, *store.load(appearancePosesStep(name), {}).result);
         addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder);
         return appearances;
     } catch (const Error&) {

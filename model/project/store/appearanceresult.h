@@ -19,6 +19,9 @@ namespace quadrille {
 /// The steps of an entry.
 std::string appearanceModelStep(const std::string& name);
 std::string appearanceCompletionsStep(const std::string& name);
+std::string appearancePosesStep(const std::string& name);
+/// Whether there is a step of poses: frames of variations are to take their textures from it.
+bool learnsPoses(const Project& project, const AppearanceEntry& entry);
 /// Those that make what clips of a character take their textures from; none where it has no model.
 std::vector<std::string> appearanceSteps(const Project& project, const std::string& character);
 /// Where they write, in the folder of a project's results.
@@ -58,10 +61,23 @@ std::vector<DataArray> appearanceArrays(const AppearanceModel& model);
 /// The table “completions” and the arrays of coefficients of a result, without its files.
 Result completionsResult(std::span<const CompletedFrame> frames);
 
+/// How appearance varies with poses: captured ones, the frames that have them, and by what scales
+/// coefficients are regressed on them.
+struct LearnedPoses
+{
+    PosePlaces places;
+    std::vector<FrameAppearances::Key> frames; ///< of each place
+    PoseScales scales;
+};
+/// \param unit  of positions.
+Result posesResult(const LearnedPoses& poses, const std::string& unit);
+
 /// The model of an entry and all textures that it knows, as they were computed last; nothing where there is
-/// no model that can be read: clips are shown all the same, and a rebuild makes it anew.
+/// no model that can be read: clips are shown all the same, and a rebuild makes it anew. Poses are there
+/// where the entry wants them and they are of frames that the model has.
 /// \param folder  the project's.
 std::optional<FrameAppearances> readAppearances(const std::filesystem::path& results,
-                                                const std::filesystem::path& folder, const std::string& name);
+                                                const std::filesystem::path& folder,
+                                                const AppearanceEntry& entry);
 
 } // namespace quadrille

@@ -46,6 +46,21 @@ std::optional<NodeIndex> nodeOf(const std::string& sequence, std::int64_t frame,
     return std::nullopt;
 }
 
+/// The variations that origins of a clip count, as their numbers do not matter: each once.
+std::vector<std::string> variationsIn(const Result& result)
+{
+    if (result.tables.empty() || result.tables.front().columns.size() <= OtherVariationColumn)
+        return {};
+    std::vector<std::string> names;
+    for (const Column each : {VariationColumn, OtherVariationColumn}) {
+        for (const std::string& name : std::get<TextColumn>(column(result, each).values).words()) {
+            if (!name.empty() && std::ranges::find(names, name) == names.end())
+                names.push_back(name);
+        }
+    }
+    return names;
+}
+
 } // namespace
 
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
@@ -149,9 +164,12 @@ std::optional<MeshSequence> readClip(const std::filesystem::path& results, const
 {
     if (results.empty())
         return std::nullopt;
-    auto clip = clipOf(*ResultStore(results).load(clipStepOf(name), {}).result, sequences, fps);
+    const ResultPointer stored = ResultStore(results).load(clipStepOf(name), {}).result;
+    auto clip = clipOf(*stored, sequences, fps, variationsIn(*stored));
     if (!clip)
         return std::nullopt;
+    if (variationOfClip(name))
+        clip = shownAsVariation(std::move(*clip));
     return toSequence(name.substr(name.find('/') + 1), std::move(*clip), CharacterFrames(sequences));
 }
 

@@ -26,6 +26,11 @@ struct FrameProvenance
     bool isCaptured() const { return isSingle() && sourceVariation == 0; }
     /// The captured frame that it is nearer to; its texture and its labels are those of the frame.
     NodeIndex nearest() const { return lambda < 0.5 ? source : destination; }
+    /// How much of the pose is of variations, 0 … 1.
+    double variedShare() const
+    {
+        return (sourceVariation != 0 ? 1 - lambda : 0) + (destinationVariation != 0 ? lambda : 0);
+    }
     bool operator==(const FrameProvenance&) const = default;
 };
 
@@ -43,8 +48,12 @@ struct Clip
     MutablePositions frame(std::int64_t frame);
 };
 
+/// The clip of a variation, whose origins count none, as one that shows it in all frames.
+Clip shownAsVariation(Clip clip);
+
 /// The clip as a sequence, which takes each frame's texture, labels and contacts from its origin: contacts
-/// are those of stancesOf, labels those of the nearer one. Where all origins' sequences have one texture, or
+/// are those of stancesOf, labels those of the nearer one. Frames of variations have the texture of their
+/// pose where the textures' blender knows one. Where all origins' sequences have one texture, or
 /// the same ones for each material, so has the clip; otherwise it has one for each frame (of the first
 /// material). \param character  the frames that the origins count.
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character);

@@ -64,19 +64,37 @@ Texture blendedTexture(const FrameProvenance& origin, const CharacterFrames& cha
     return blender->inPlaceOf(capturedAt(nearest));
 }
 
-TextureSet texturesOf(const Clip& clip, const CharacterFrames& character)
+/// What a frame shows that has a texture of its own, or one that was made for it.
+Texture textureOf(const FrameProvenance& origin, const CharacterFrames& character)
+{
+    Texture blended = blendedTexture(origin, character);
+    return blended.isEmpty() ? textureAt(placeOf(character, origin.nearest())) : blended;
+}
+
+/// The texture of a frame of a variation; empty where it is that of captured frames.
+Texture variedTexture(const FrameProvenance& origin, const CharacterFrames& character,
+                      const std::shared_ptr<const FrameSource>& poses, FrameIndex frame,
+                      const Texture& captured)
+{
+    const double share = origin.variedShare();
+    const auto& blender = placeOf(character, origin.nearest()).sequence.textures.blender();
+    return share > 0 && blender ? blender->ofPose(poses, frame, share, captured) : Texture();
+}
+
+TextureSet texturesOf(std::span<const FrameProvenance> origins, const CharacterFrames& character,
+                      const std::shared_ptr<const FrameSource>& poses)
 {
     const TextureSet* common = nullptr;
     bool isCommon = true;
     std::vector<Texture> textures;
-    for (const FrameProvenance& origin : clip.origins) {
-        const Place place = placeOf(character, origin.nearest());
-        const TextureSet& set = place.sequence.textures;
+    for (const FrameProvenance& origin : origins) {
+        const TextureSet& set = placeOf(character, origin.nearest()).sequence.textures;
         if (!common)
             common = &set;
         isCommon = isCommon && set.kind() != TextureSet::Kind::PerFrame && isSame(*common, set);
-        Texture blended = blendedTexture(origin, character);
-        textures.push_back(blended.isEmpty() ? textureAt(place) : std::move(blended));
+        Texture captured = textureOf(origin, character);
+        Texture varied = variedTexture(origin, character, poses, FrameIndex(std::ssize(textures)), captured);
+        textures.push_back(varied.isEmpty() ? std::move(captured) : std::move(varied));
     }
     if (isCommon)
         return common ? *common : TextureSet();
@@ -128,17 +146,23 @@ std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& cha
     return contactsOf(clip, givenStances(character));
 }
 
+Clip shownAsVariation(Clip clip)
+{
+    for (FrameProvenance& origin : clip.origins)
+        origin.sourceVariation = origin.destinationVariation = 1;
+    return clip;
+}
+
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character)
 {
     std::vector<std::set<std::string>> labels;
     for (const FrameProvenance& origin : clip.origins)
         labels.push_back(labelsAt(origin, character));
     std::vector<ContactSpan> contacts = contactsOf(clip, character);
-    TextureSet textures = texturesOf(clip, character);
     const std::uint32_t vertexCount = clip.topology->vertexCount();
-    MeshSequence sequence =
-        makeSequence(std::move(name), std::move(clip.topology),
-                     std::make_shared<MemoryFrames>(std::move(clip.positions), vertexCount), clip.fps);
+    const auto poses = std::make_shared<const MemoryFrames>(std::move(clip.positions), vertexCount);
+    TextureSet textures = texturesOf(clip.origins, character, poses);
+    MeshSequence sequence = makeSequence(std::move(name), std::move(clip.topology), poses, clip.fps);
     sequence.textures = std::move(textures);
     sequence.labels = spansOf<LabelSpan>(labels);
     sequence.contacts = std::move(contacts);

@@ -95,6 +95,7 @@ inline AppearanceEntry fullAppearance()
     entry.warpShare = 0.25;
     entry.flow = FlowMethod::Dis;
     entry.reference = NamedFrame{"talk", FrameIndex(4)};
+    entry.varied = VariedTextures::Nearest;
     CompletionEntry completion;
     completion.frame = {"softly", FrameIndex(7)};
     completion.mask = "masks/softly_7.png";

@@ -148,6 +148,29 @@ TEST_F(AppearanceEvaluations, BlendsByTheModelComeNearerToWhatWasCapturedBetween
     EXPECT_THAT(column<std::int64_t>("evaluation/appearance-interpolation", "frames"), ElementsAre(2, 2, 2));
 }
 
+TEST_F(AppearanceEvaluations, ShapesSayWhatPosesTellOfTexturesOfATakeLeftOut)
+{
+    evaluate({"appearance-shape"});
+    EXPECT_THAT(computed(run()),
+                UnorderedElementsAre("appearance/look/model", "evaluations/appearance-shape"));
+    const std::string table = "evaluation/appearance-shape";
+    EXPECT_THAT(column<std::string>(table, "take"), ElementsAre("slow", "quick"));
+    EXPECT_THAT(column<std::int64_t>(table, "frames"), ElementsAre(slowFrames, quickFrames));
+    for (std::size_t take = 0; take < 2; ++take) {
+        const auto at = [&](const std::string& name) { return values("appearance-shape", name)[take]; };
+        EXPECT_LT(at("warp_rms_learned"), 0.5 * at("warp_rms_mean")) << "the pattern moves with the pose";
+        EXPECT_LT(at("warp_rms_nearest"), at("warp_rms_mean"));
+        EXPECT_GT(at("ssim_learned"), at("ssim_mean"));
+        EXPECT_LT(at("mse_learned"), 0.5 * at("mse_mean"));
+        EXPECT_GT(at("rms_nearest"), 0);
+    }
+    const auto before = values("appearance-shape", "mse_learned");
+    rebuild(project, projectFile(), {.targets = {"evaluations"}, .jobs = 1, .force = true});
+    EXPECT_EQ(values("appearance-shape", "mse_learned"), before) << "another number of threads";
+    project.sequences.pop_back();
+    EXPECT_THAT(failure("evaluations")->what(), HasSubstr("learns from one take alone"));
+}
+
 TEST_F(AppearanceEvaluations, RatesSayWhatFilesTakeAndLose)
 {
     evaluate({"appearance-rates"});

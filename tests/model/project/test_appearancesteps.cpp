@@ -163,7 +163,7 @@ TEST_F(AppearanceSteps, OfferWhatLiesInTheModelsFile)
 
 TEST_F(AppearanceSteps, ModelsThatCannotBeReadAreNotThereForClips)
 {
-    const auto known = [this] { return readAppearances(results(), folder.path(), "look"); };
+    const auto known = [this] { return readAppearances(results(), folder.path(), look()); };
     EXPECT_FALSE(known());
     CompletionEntry completion;
     completion.frame = {"slow", FrameIndex(3)};

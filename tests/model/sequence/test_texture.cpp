@@ -18,6 +18,11 @@ public:
         return {};
     }
     Texture inPlaceOf(const CapturedTexture& /*texture*/) const override { return {}; }
+    Texture ofPose(const std::shared_ptr<const FrameSource>& /*poses*/, FrameIndex /*frame*/,
+                   double /*share*/, const Texture& /*captured*/) const override
+    {
+        return {};
+    }
 };
 
 /// A picture of one pixel that counts how often it is made.

@@ -69,6 +69,16 @@ public:
         return texture.sequence == "a" && texture.frame == FrameIndex(2) ? Texture{"completed", nullptr}
                                                                          : Texture();
     }
+    Texture ofPose(const std::shared_ptr<const FrameSource>& poses, FrameIndex frame, double share,
+                   const Texture& captured) const override
+    {
+        if (m_unknown == "poses")
+            return {};
+        EXPECT_LT(frame.value, poses->frameCount());
+        return {"pose" + std::to_string(frame.value) + "-" + std::to_string(std::lround(100 * share)) + "-" +
+                    captured.file.string(),
+                nullptr};
+    }
 
 private:
     static std::string nameOf(const CapturedTexture& texture)
@@ -200,4 +210,30 @@ TEST(ClipSequence, HasMadeTexturesWhereItWasRetimed)
     const MeshSequence sequence = toSequence("slow", slower, CharacterFrames(takes));
     EXPECT_EQ(filesOf(sequence.textures),
               (std::vector<std::string>{"x4", "a3=x4-a4=x5-50", "x5", "a4=x5-a5=x6-50", "x6"}));
+}
+
+TEST(ClipSequence, HasTexturesOfPosesInFramesOfVariations)
+{
+    std::vector<FrameProvenance> origins{{1, 1}, {3, 3, 0.3}, {4, 4}, {3, 22, 0.4}};
+    origins[1].destinationVariation = 1;
+    origins[2].sourceVariation = origins[2].destinationVariation = 2;
+    origins[3].sourceVariation = 1;
+    const std::vector<MeshSequence> takes = texturedTakes(std::make_shared<const NamingBlender>());
+    EXPECT_EQ(filesOf(toSequence("mix", clipOf(takes, origins), CharacterFrames(takes)).textures),
+              (std::vector<std::string>{"x2", "pose1-30-x4", "pose2-100-x5", "pose3-60-a3=x4-b3=y3-40"}));
+    const std::vector<MeshSequence> others = texturedTakes(std::make_shared<const NamingBlender>("poses"));
+    EXPECT_EQ(filesOf(toSequence("mix", clipOf(others, origins), CharacterFrames(others)).textures),
+              (std::vector<std::string>{"x2", "x4", "x5", "a3=x4-b3=y3-40"}));
+    const Clip shown = shownAsVariation(clipOf(takes, {{3, 3}, {3, 22, 0.4}}));
+    EXPECT_EQ(filesOf(toSequence("mix", shown, CharacterFrames(takes)).textures),
+              (std::vector<std::string>{"pose0-100-x4", "pose1-100-a3=x4-b3=y3-40"}));
+}
+
+TEST(ClipSequence, SharesOneTextureInVariationsToo)
+{
+    std::vector<MeshSequence> takes = twoTakes();
+    for (MeshSequence& take : takes)
+        take.textures = TextureSet::single({"skin.png", nullptr});
+    const Clip shown = shownAsVariation(clipOf(takes, someOrigins));
+    EXPECT_EQ(toSequence("mix", shown, CharacterFrames(takes)).textures.kind(), TextureSet::Kind::Single);
 }
