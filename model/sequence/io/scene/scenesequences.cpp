@@ -3,7 +3,10 @@
 #include "model/sequence/io/scene/scenesequences.h"
 
 #include "model/core/message.h"
+#include "model/core/seriesname.h"
 #include "model/sequence/io/files/appendbytes.h"
+#include "model/sequence/io/files/sourcefiles.h"
+#include "model/sequence/io/mesh/findtextures.h"
 #include "model/sequence/io/mesh/meshfile.h"
 #include "model/sequence/io/scene/keyrate.h"
 #include "model/sequence/io/scene/skinning.h"
@@ -236,6 +239,15 @@ TextureSet textureSet(std::vector<Texture> textures)
     return same ? TextureSet::single(first) : TextureSet::perMaterial(std::move(textures));
 }
 
+/// Scene files cannot change a material's picture: clips whose texture changes have theirs beside the file.
+TextureSet texturesOfClip(const TextureSet& ofScene, const std::filesystem::path& file, std::int64_t frames)
+{
+    if (frames < 2)
+        return ofScene;
+    const SourceFiles take{.path = file, .files = {file}, .stem = seriesStem(file)};
+    return findTextures({.take = take, .frameCount = frames, .named = {}, .ofMesh = ofScene}).textures;
+}
+
 std::string wholeNumber(double value)
 {
     std::array<char, 32> text{};
@@ -347,7 +359,7 @@ ImportResult sequencesFromScene(Scene scene, const std::filesystem::path& file, 
         const auto shared = std::make_shared<const SceneClip>(std::move(clip));
         auto sequence = makeSequence(shared->name, topology,
                                      std::make_shared<SkinnedFrames>(model, shared, fps, frames), fps);
-        sequence.textures = textures;
+        sequence.textures = texturesOfClip(textures, file, frames);
         result.sequences.push_back(std::move(sequence));
     }
     return result;

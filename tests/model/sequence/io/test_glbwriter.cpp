@@ -187,6 +187,10 @@ TEST(GlbWriter, WritesTexturesThatChangeBesideTheFile)
     EXPECT_NE(written.issues[0].toString().find("beside it, in textures/walk."), std::string::npos);
     const ImportResult result = reopen(folder / "walk.glb", 24);
     EXPECT_EQ(*result.sequences.at(0).texture(FrameIndex(0)), *plainImage(1));
+    EXPECT_EQ(*result.sequences.at(0).texture(FrameIndex(2)), *plainImage(2)) << "they are found again";
+    std::filesystem::remove(folder / "textures/walk/0002.png");
+    EXPECT_EQ(*reopen(folder / "walk.glb", 24).sequences.at(0).texture(FrameIndex(2)), *plainImage(1))
+        << "that of the file, where there is not one for each frame";
     ExportOptions without;
     without.textures = false;
     EXPECT_EQ(GlbExporter().write(sequence, folder / "u.glb", without, {}).files.size(), 1U);
