@@ -117,7 +117,7 @@ Eigen::MatrixXd coefficientRows(const QuantisedSpace& space, std::span<const std
     return rows;
 }
 
-PoseAppearance::PoseAppearance(PosePlaces places, const Eigen::MatrixXd& textures,
+PoseAppearance::PoseAppearance(const PosePlaces& places, const Eigen::MatrixXd& textures,
                                const Eigen::MatrixXd& warps, const PoseScales& scales)
     : PoseAppearance(places, squaredDistances(places), textures, warps, scales)
 {

@@ -54,7 +54,7 @@ class PoseAppearance
 {
 public:
     /// \param textures,warps  poses × components. \pre There is a pose. Cost: O(poses³ + poses² · vertices).
-    PoseAppearance(PosePlaces places, const Eigen::MatrixXd& textures, const Eigen::MatrixXd& warps,
+    PoseAppearance(const PosePlaces& places, const Eigen::MatrixXd& textures, const Eigen::MatrixXd& warps,
                    const PoseScales& scales);
 
     /// Whether poses of so many vertices can be looked up.

@@ -117,7 +117,7 @@ void addPoses(FrameAppearances& appearances, const Result& result)
     const auto& lengths = columnNamed<std::vector<double>>(scales, "length");
     const auto& trusts = columnNamed<std::vector<double>>(scales, "trust");
     appearances.poses = std::make_shared<const PoseAppearance>(
-        std::move(places), textures, warps,
+        places, textures, warps,
         PoseScales{.textures = {lengths[0], trusts[0]}, .warps = {lengths[1], trusts[1]}});
 }
 
