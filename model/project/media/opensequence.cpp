@@ -8,7 +8,6 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/document/throwinvalid.h"
-#include "model/project/store/appearanceresult.h"
 #include "model/project/store/clipresult.h"
 #include "model/project/store/resultstore.h"
 #include "model/sequence/io/basemesh.h"
@@ -236,10 +235,7 @@ std::shared_ptr<const TextureBlender> SequenceOpener::blenderOf(const std::strin
     const std::scoped_lock lock(m_mutex);
     std::shared_ptr<const TextureBlender>& blender = m_blenders[entry->name];
     if (!blender)
-        blender =
-            std::make_shared<const ModelTextures>([results = m_results, folder = m_folder, own = *entry] {
-                return readAppearances(results, folder, own);
-            });
+        blender = m_sources->blender(*entry, m_results, m_folder);
     return blender;
 }
 

@@ -4,6 +4,8 @@
 
 #include "model/project/document/paths.h"
 #include "model/project/media/opensequence.h"
+#include "model/project/store/appearanceresult.h"
+#include "model/project/store/resultstore.h"
 
 #include <algorithm>
 #include <tbb/task_arena.h>
@@ -76,6 +78,29 @@ std::shared_ptr<const OpenedSequence> SourceCache::open(const SequenceEntry& ent
     }
     own->opened = opened;
     return opened;
+}
+
+std::shared_ptr<const TextureBlender> SourceCache::blender(const AppearanceEntry& entry,
+                                                           const std::filesystem::path& results,
+                                                           const std::filesystem::path& folder)
+{
+    BlenderKey key{.name = entry.name, .varied = entry.varied, .results = results, .folder = folder};
+    const ResultStore store(results);
+    for (const std::string& step : {appearanceModelStep(entry.name), appearanceCompletionsStep(entry.name),
+                                    appearancePosesStep(entry.name)})
+        key.files.push_back(stampOf(store.fileOf(step)));
+    const std::scoped_lock lock(m_mutex);
+    std::erase_if(m_blenders, [](const auto& each) { return each.second.expired(); });
+    const auto known = std::ranges::find(m_blenders, key, &decltype(m_blenders)::value_type::first);
+    if (known != m_blenders.end()) {
+        if (auto shared = known->second.lock())
+            return shared;
+        m_blenders.erase(known);
+    }
+    auto made = std::make_shared<const ModelTextures>(
+        [results, folder, entry] { return readAppearances(results, folder, entry); });
+    m_blenders.emplace_back(std::move(key), made);
+    return made;
 }
 
 } // namespace quadrille

@@ -306,6 +306,32 @@ TEST_F(AppearanceSteps, GiveSequencesWhatMakesTexturesBetweenTheirs)
     EXPECT_FALSE(opened("slow")->sequence.textures.blender());
 }
 
+TEST_F(AppearanceSteps, GiveOpenersOneModelUntilItIsMadeAnew)
+{
+    const auto sources = std::make_shared<SourceCache>();
+    const auto blender = [&](const std::string& sequence = "slow") {
+        return SequenceOpener(project, folder.path(), results(), sources)
+            .open(sequence)
+            ->sequence.textures.blender();
+    };
+    run("appearance");
+    const auto first = blender();
+    EXPECT_EQ(blender(), first);
+    EXPECT_EQ(blender("quick"), first);
+    EXPECT_NE(opened("slow")->sequence.textures.blender(), first) << "sources of its own";
+    look().varied = VariedTextures::Nearest;
+    EXPECT_NE(blender(), first);
+    look().varied = VariedTextures::Learned;
+    EXPECT_EQ(blender(), first);
+    look().components = 4;
+    run("appearance");
+    const auto second = blender();
+    EXPECT_NE(second, first) << "another model";
+    completeSlow(6);
+    run("appearance/look/completions");
+    EXPECT_NE(blender(), second) << "another texture is completed";
+}
+
 TEST_F(AppearanceSteps, AreTheSameForAnyNumberOfThreads)
 {
     completeSlow(6);
