@@ -5,6 +5,8 @@
 // some pairs and compares cost, length and windows with the table; "items_per_second" are pairs, so that
 // their ratio is the gain.
 #include "model/transition/transitiontable.h"
+#include "model/transition/warppath.h"
+#include "tests/model/transition/plainwarppath.h"
 #include "tests/model/transition/transitiontables.h"
 #include "tests/model/transition/warpreference.h"
 
@@ -83,6 +85,32 @@ void plainPairs(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs.size()));
 }
 
+constexpr int pathWindow = 40;
+
+/// The path of a transition whose windows are known, as for each edge of a graph.
+void knownPath(benchmark::State& state)
+{
+    const Input input = inputOf(Walk, 500);
+    const WarpPaths paths(input.distances, input.layout, settingsOf(0));
+    NodeIndex source = 0;
+    for (auto _ : state) {
+        source = (source + 1) % 200;
+        benchmark::DoNotOptimize(
+            paths.between({.source = source, .destination = 400}, pathWindow, pathWindow));
+    }
+}
+
+void plainPath(benchmark::State& state)
+{
+    const Input input = inputOf(Walk, 500);
+    NodeIndex source = 0;
+    for (auto _ : state) {
+        source = (source + 1) % 200;
+        benchmark::DoNotOptimize(plainWarpPath(
+            input.distances.block(source, 401 - pathWindow, pathWindow, pathWindow), settingsOf(0).slope));
+    }
+}
+
 } // namespace
 
 BENCHMARK(allPairs)
@@ -99,3 +127,5 @@ BENCHMARK(plainPairs)
     ->ArgsProduct({{Noise, Walk}, {0}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(knownPath)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plainPath)->Unit(benchmark::kMicrosecond);

@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/transition/besttransitions.h"
 #include "model/transition/warppath.h"
+#include "plainwarppath.h"
 #include "transitiontables.h"
 
 #include <algorithm>
@@ -81,6 +82,29 @@ TEST(WarpPaths, AreThoseOfTheTable)
                         ASSERT_EQ(again->path, found->path);
                     }
                 }
+            }
+        }
+    }
+}
+
+TEST(WarpPaths, AreThoseOfEachStateByItself)
+{
+    const FrameLayout layout(std::vector<std::int64_t>{60});
+    for (const int slope : {2, 3, 5}) {
+        for (const int levels : {2, 4, 1 << 20}) { // many ties, some, none
+            const Table<float> distances = randomDistances(60, 7, levels);
+            const WarpPaths paths(distances, layout, windows(3, 30, slope));
+            for (const auto& [rows, columns] :
+                 {std::pair{1, 1}, {1, 4}, {3, 9}, {9, 3}, {17, 25}, {30, 30}}) {
+                const auto found = paths.between({.source = 2, .destination = 55}, rows, columns);
+                const auto plain = plainWarpPath(distances.block(2, 56 - columns, rows, columns), slope);
+                ASSERT_EQ(found.has_value(), !plain.empty()) << slope << ' ' << rows << ' ' << columns;
+                if (!found)
+                    continue;
+                ASSERT_EQ(found->path.size(), plain.size());
+                for (std::size_t k = 0; k < plain.size(); ++k)
+                    EXPECT_EQ(found->path[k], (FramePair{.source = 2 + plain[k].first,
+                                                         .destination = 56 - columns + plain[k].second}));
             }
         }
     }
