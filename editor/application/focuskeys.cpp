@@ -25,12 +25,13 @@ bool isArrow(int key)
 bool uses(const QObject* control, int key)
 {
     const bool movesUpOrDown = key == Qt::Key_PageUp || key == Qt::Key_PageDown;
+    const bool isEnd = key == Qt::Key_Home || key == Qt::Key_End;
     if (qobject_cast<const QAbstractSlider*>(control) != nullptr)
-        return isArrow(key) || movesUpOrDown || key == Qt::Key_Home || key == Qt::Key_End;
+        return isArrow(key) || movesUpOrDown || isEnd;
     if (qobject_cast<const QTabBar*>(control) != nullptr)
         return key == Qt::Key_Left || key == Qt::Key_Right;
     if (qobject_cast<const QComboBox*>(control) != nullptr)
-        return key == Qt::Key_Up || key == Qt::Key_Down || movesUpOrDown;
+        return key == Qt::Key_Up || key == Qt::Key_Down || movesUpOrDown || isEnd;
     return false;
 }
 

@@ -8,6 +8,7 @@
 #include "widgets/graph/linechart.h"
 
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -132,6 +133,15 @@ private slots:
         QCOMPARE(list->count(), 2);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
         QTRY_COMPARE(workspace().appearance().frame(), std::optional(NamedFrame{"slow", FrameIndex(4)}));
+        list->setFocus();
+        for (const int key : {Qt::Key_End, Qt::Key_Home}) {
+            QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+            event.ignore();
+            QApplication::sendEvent(list, &event);
+            QVERIFY(event.isAccepted()); // else it is for playing
+            QTest::keyClick(list, static_cast<Qt::Key>(key));
+            QCOMPARE(list->currentRow(), key == Qt::Key_End ? 1 : 0);
+        }
         press("tool.appearance.removeCompletion");
         QCOMPARE(entry().completions.size(), 1U);
         QCOMPARE(completion().frame.sequence, std::string("quick"));

@@ -99,6 +99,12 @@ private slots:
         QTest::keyClick(names, Qt::Key_Return);
         QTRY_VERIFY(names->view()->isVisible());
         names->hidePopup();
+        action("animate.new")->trigger();
+        names->setFocus();
+        QTest::keyClick(names, Qt::Key_Home);
+        QCOMPARE(names->currentIndex(), 0);
+        QTest::keyClick(names, Qt::Key_End);
+        QCOMPARE(names->currentIndex(), 1);
     }
 
     void aTextKeepsItsKeys()

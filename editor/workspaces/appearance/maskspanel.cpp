@@ -4,6 +4,7 @@
 
 #include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/ownkeys.h"
 #include "editor/fields/rightmenu.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
@@ -27,6 +28,17 @@ constexpr int masksMargin = 12;
 constexpr double sizeStep = 0.002; ///< of the brush's radius, widths of the texture
 constexpr int largestSize = 100;
 
+/// Goes through its rows by keys that belong to playing elsewhere.
+class CompletionList : public QListWidget
+{
+protected:
+    bool event(QEvent* event) override
+    {
+        return takesOwnKeys(*event, {Qt::Key_Up, Qt::Key_Down, Qt::Key_Home, Qt::Key_End}) ||
+               QListWidget::event(event);
+    }
+};
+
 } // namespace
 
 MasksPanel::MasksPanel(ShownTexture& shown, TextureComparison& comparison, QWidget* parent)
@@ -38,7 +50,7 @@ MasksPanel::MasksPanel(ShownTexture& shown, TextureComparison& comparison, QWidg
     , m_tool(new QComboBox)
     , m_sizeLabel(new QLabel)
     , m_size(new QSlider(Qt::Horizontal))
-    , m_list(new QListWidget)
+    , m_list(new CompletionList)
     , m_state(new QLabel)
 {
     setObjectName(QStringLiteral("masksPanel"));
