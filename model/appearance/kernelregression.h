@@ -47,7 +47,7 @@ private:
 /// there are many, several at once.
 /// \param squaredDistances,values  as above. \param groups  of each row, from 0 on, in ascending order.
 /// \return the same for any number of threads. \throws Error Cancelled.
-/// Cost: O(n³) for each of some 170 scales and at most 8 groups: 3 s on two cores for 400 rows of 3 groups.
+/// Cost: O(n³) for each of some 170 scales and at most 8 groups: 2 s on two cores for 400 rows of 3 groups.
 RegressionScale foundScale(const Eigen::MatrixXd& squaredDistances, const Eigen::MatrixXd& values,
                            std::span<const std::int64_t> groups, const Progress& progress = {},
                            const Executor& executor = localExecutor());
