@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 // The pictures of the manual: made here from the sample, and compared with those that the manual has, so that
 // they cannot go stale. With QUADRILLE_PICTURES set to a folder they are written there (./dev pictures).
+#include "editor/commands/appearanceedits.h"
 #include "editor/docks/cardpictures.h"
 #include "editor/docks/sequencecards.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
+#include "editor/workspaces/appearance/appearanceworkspace.h"
+#include "editor/workspaces/appearance/currentappearance.h"
+#include "editor/workspaces/appearance/texturecomparison.h"
 #include "editor/workspaces/graph/graphexplorer.h"
 #include "editor/workspaces/graph/graphmap.h"
 #include "editor/workspaces/graph/graphworkspace.h"
@@ -190,6 +194,30 @@ private slots:
         QTRY_VERIFY(m_window->variations().parts().surface().graph() != nullptr);
         m_window->variations().viewport().frameAll();
         keep("body-parts");
+    }
+
+    void appearance()
+    {
+        addAppearance(context().document, {.name = "look",
+                                           .character = "Quad",
+                                           .sequences = {"walk 1", "idle 1"},
+                                           .components = 20,
+                                           .flow = FlowMethod::Dis,
+                                           .reference = NamedFrame{"walk 1", FrameIndex(20)}});
+        m_window->workspaces().select("appearance");
+        context().selection.select({Section::Appearances, "look"});
+        AppearanceWorkspace& workspace = m_window->appearance();
+        const auto state = [&] { return workspace.appearance().resultState(); };
+        QTRY_VERIFY(state() != nullptr && state()->phase == ResultPhase::Stale);
+        context().actions.action("appearance.build")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(state()->phase == ResultPhase::Ready, 300'000);
+        context().selection.selectSequences({"walk 1"});
+        QTRY_VERIFY(workspace.scene().frameCount() > 12);
+        workspace.player().pause();
+        workspace.player().goTo(12);
+        workspace.viewport().frameAll();
+        QTRY_VERIFY(workspace.comparison().pair().quality.has_value());
+        keep("appearance");
     }
 };
 
