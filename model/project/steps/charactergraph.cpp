@@ -135,6 +135,7 @@ std::vector<std::vector<EdgeCost>> CharacterGraph::edgeCosts(const std::vector<c
                                                              const Progress& progress) const
 {
     std::vector<std::vector<EdgeCost>> all;
+    all.reserve(graphs.size());
     for (const Digraph* graph : graphs)
         all.push_back(costsOfEdges(*graph, costs()));
     const auto known = [&](std::size_t graph, std::size_t edge) {

@@ -153,6 +153,7 @@ std::vector<KnownEdges> knownEdges(const std::vector<const Digraph*>& graphs, co
                                    const StepContext& context)
 {
     std::vector<KnownEdges> known;
+    known.reserve(graphs.size());
     for (const Digraph* graph : graphs)
         known.emplace_back(graph->edges().size());
     const auto set = [&](const auto& setOne) {
@@ -226,6 +227,7 @@ BuildStep edgeStep(const CharacterInputs& work)
         both.reset();
         const std::vector<const Digraph*> all{&motion, &essential};
         std::vector<std::vector<EdgeCost>> costs;
+        costs.reserve(all.size());
         {
             const std::vector<KnownEdges> known = knownEdges(all, work, context);
             {
