@@ -98,9 +98,7 @@ std::optional<Transition> CharacterGraph::transition(const FramePair& pair) cons
 {
     if (!m_tables->costs->hasTransition(pair.source, pair.destination))
         return std::nullopt;
-    const std::uint16_t windows = m_tables->windows(pair.source, pair.destination);
-    return windows == 0 ? paths().find(pair)
-                        : paths().between(pair, windows >> bitsOfWindow, windows & greatestPacked);
+    return paths().of(knownTransition(pair), pair);
 }
 
 KnownTransition CharacterGraph::knownTransition(const FramePair& pair) const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/document/madeclips.h"
 #include "tests/model/project/lookproject.h"
+#include "tests/model/project/quickvariation.h"
 
 #include <gmock/gmock.h>
 
@@ -19,24 +20,7 @@ const std::string posesName = "appearance/look/poses";
 class AppearancePoses : public LookProject
 {
 protected:
-    AppearancePoses()
-    {
-        VariationEntry& bending = project.variations.emplace_back();
-        bending.name = "bending";
-        bending.training.resize(2);
-        bending.training[0].sequence = "slow";
-        bending.training[1].sequence = "quick";
-        bending.cycles = false;
-        bending.learning.restarts = 0;
-        bending.chain = {.leapfrogSteps = 10, .burnIn = 20, .thinning = 2};
-        bending.limits = {.poseDistance = 10,
-                          .skate = 10,
-                          .intersections = 1,
-                          .volumeChange = 10,
-                          .collapse = 1,
-                          .sink = 10};
-        bending.samples = {{.of = "slow", .count = 1}};
-    }
+    AppearancePoses() { project.variations = {quickVariation("bending", "slow", "quick", 1)}; }
     MeshSequence variation()
     {
         SequenceOpener opener(project, folder.path(), results());

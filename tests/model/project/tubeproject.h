@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/project/store/resultplaces.h"
+#include "tests/model/project/quickvariation.h"
 #include "tests/model/project/stripproject.h"
 
 #include <cmath>
@@ -69,25 +70,7 @@ protected:
         parts.parts[0].part = {"base", "", {}};
         parts.parts[1].part = {"tip", "base", {"low", "high"}};
         project.bodyParts = {parts};
-        VariationEntry sway;
-        sway.name = "sway";
-        sway.training.resize(2);
-        sway.training[0].sequence = "calm";
-        sway.training[1].sequence = "wild";
-        sway.cycles = false;
-        sway.learning.restarts = 0;
-        sway.chain = {.leapfrogSteps = 10, .burnIn = 20, .thinning = 2};
-        sway.limits = {.poseDistance = 10,
-                       .skate = 10,
-                       .intersections = 1,
-                       .volumeChange = 10,
-                       .collapse = 1,
-                       .sink = 10};
-        SamplesEntry samples;
-        samples.of = "calm";
-        samples.count = 2;
-        sway.samples = {samples};
-        project.variations = {sway};
+        project.variations = {quickVariation("sway", "calm", "wild", 2)};
     }
     void write(const std::string& take, int frames, double size)
     {
