@@ -2949,6 +2949,42 @@
         <source>Give it a second sequence with a texture for each frame.</source>
         <translation>Donnez-lui une deuxième séquence avec une texture par image.</translation>
     </message>
+    <message>
+        <source>No triangles are paired.</source>
+        <translation>Aucun triangle n’est apparié.</translation>
+    </message>
+    <message>
+        <source>Pair triangles of the template with those of the target.</source>
+        <translation>Appariez des triangles du modèle avec ceux de la cible.</translation>
+    </message>
+    <message>
+        <source>Pair {pair} names triangle {triangle} of the template, which has only {count}.</source>
+        <translation>La paire {pair} désigne le triangle {triangle} du modèle, qui n’en a que {count}.</translation>
+    </message>
+    <message>
+        <source>Pair it again: the mesh has changed.</source>
+        <translation>Refaites la paire : le maillage a changé.</translation>
+    </message>
+    <message>
+        <source>Pair {pair} names triangle {triangle} of the target, which has only {count}.</source>
+        <translation>La paire {pair} désigne le triangle {triangle} de la cible, qui n’en a que {count}.</translation>
+    </message>
+    <message>
+        <source>Triangle {triangle} of the target is in two pairs.</source>
+        <translation>Le triangle {triangle} de la cible figure dans deux paires.</translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation>Retirez l’une d’elles.</translation>
+    </message>
+    <message>
+        <source>Triangle {triangle} of the target has no area.</source>
+        <translation>Le triangle {triangle} de la cible n’a pas d’aire.</translation>
+    </message>
+    <message>
+        <source>Pair one beside it.</source>
+        <translation>Appariez-en un voisin.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>

@@ -115,6 +115,12 @@ enum class ErrorCode
     PartsNotCut,
     // variations
     VariationMissing,
+    // transfers
+    TransferNoPairs,
+    TransferTriangleOfTemplate,
+    TransferTriangleOfTarget,
+    TransferTriangleTwice,
+    TransferTriangleFlat,
 };
 
 } // namespace quadrille

@@ -310,6 +310,23 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::VariationMissing:
         return {QUADRILLE_MESSAGE("There is no variation {number}: too few of those drawn were good enough."),
                 QUADRILLE_MESSAGE("Draw with another seed, or allow more in the limits.")};
+    case ErrorCode::TransferNoPairs:
+        return {QUADRILLE_MESSAGE("No triangles are paired."),
+                QUADRILLE_MESSAGE("Pair triangles of the template with those of the target.")};
+    case ErrorCode::TransferTriangleOfTemplate:
+        return {QUADRILLE_MESSAGE(
+                    "Pair {pair} names triangle {triangle} of the template, which has only {count}."),
+                QUADRILLE_MESSAGE("Pair it again: the mesh has changed.")};
+    case ErrorCode::TransferTriangleOfTarget:
+        return {
+            QUADRILLE_MESSAGE("Pair {pair} names triangle {triangle} of the target, which has only {count}."),
+            QUADRILLE_MESSAGE("Pair it again: the mesh has changed.")};
+    case ErrorCode::TransferTriangleTwice:
+        return {QUADRILLE_MESSAGE("Triangle {triangle} of the target is in two pairs."),
+                QUADRILLE_MESSAGE("Remove one of them.")};
+    case ErrorCode::TransferTriangleFlat:
+        return {QUADRILLE_MESSAGE("Triangle {triangle} of the target has no area."),
+                QUADRILLE_MESSAGE("Pair one beside it.")};
     }
     return {"", ""};
 }

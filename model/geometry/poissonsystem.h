@@ -80,9 +80,12 @@ public:
     /// pinned vertex of its component; the last row, of pinned vertices, is zero.
     void solve(std::span<const TriangleEdges> edges, std::vector<double>& x) const;
 
+    /// Per triangle half the cotangents at its corners.
+    const std::vector<std::array<double, 3>>& weights() const { return m_weights; }
+
 private:
     const PoissonSystem* m_system;
-    std::vector<std::array<double, 3>> m_weights; ///< half cotangents at the corners
+    std::vector<std::array<double, 3>> m_weights;
     CholeskyFactor m_factor;
 };
 

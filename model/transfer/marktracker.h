@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/geometry/poseframes.h"
+#include "model/sequence/topology.h"
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// How the marked triangles of a template are turned in one frame.
+struct MarkRotations
+{
+    std::vector<Eigen::Quaterniond> marks; ///< unit quaternions, from the reference pose
+    Eigen::Quaterniond root;               ///< their mean: the rotation of the body as a whole
+};
+
+/// Follows marked triangles of a template from frame to frame (SCANS §4). A rotation is two quaternions: in
+/// the first frame signs are chosen so that marks which turn alike have like ones, later so that each goes on
+/// from where it was. So a part may turn by up to 360 degrees against the body, and the body as often as it
+/// likes.
+class MarkTracker
+{
+public:
+    /// \param triangles  corners of the marked triangles. \param reference  all vertices, metres. Triangles
+    /// without an area in it, or later, turn with the body.
+    MarkTracker(std::vector<Triangle> triangles, Positions reference);
+
+    /// The rotations in the next frame, by the polar factor of each triangle's deformation.
+    /// \param frame  all vertices. Cost: O(marks); in the first frame O(marks²) for up to 1,000 of them.
+    MarkRotations next(Positions frame);
+
+private:
+    void chooseSigns(MarkRotations& now) const;
+    void continueSigns(MarkRotations& now) const;
+
+    std::vector<Triangle> m_triangles;
+    PoseFrames m_reference;
+    std::vector<Eigen::Quaterniond> m_before;
+    Eigen::Quaterniond m_rootBefore = Eigen::Quaterniond::Identity();
+};
+
+} // namespace quadrille

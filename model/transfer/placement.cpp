@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/transfer/placement.h"
+
+#include "model/core/smoothing.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace quadrille {
+
+namespace {
+
+/// What stands reaches so high above the lowest vertex, heights of the target.
+constexpr double soleHeight = 0.015;
+/// The template must have come so far while it stood, heights of the target, for its steps to tell a scale.
+constexpr double leastWay = 0.6;
+/// Legs differ from one body to another by no more against their heights.
+constexpr double widestLegs = 1.25;
+/// Of the time over which heights are evened out, seconds.
+constexpr double heightDeviation = 0.06;
+
+using Ground2 = std::array<Eigen::Index, 2>;
+
+Ground2 groundAxes(UpAxis up)
+{
+    const auto axis = static_cast<Eigen::Index>(up);
+    return {(axis + 1) % 3, (axis + 2) % 3};
+}
+
+Vec2d onGround(const Vec3d& v, const Ground2& axes)
+{
+    return {v[axes[0]], v[axes[1]]};
+}
+
+double lowestOf(Positions pose, Eigen::Index up)
+{
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const Vec3f& p : pose)
+        lowest = std::min(lowest, p[up]);
+    return static_cast<double>(lowest);
+}
+
+double heightOf(Positions pose, Eigen::Index up)
+{
+    const auto [low, high] = std::ranges::minmax_element(pose, {}, [&](const Vec3f& p) { return p[up]; });
+    return static_cast<double>((*high)[up] - (*low)[up]);
+}
+
+/// The mean way of the vertices that are lowest in both of two poses.
+std::optional<Vec3d> wayOfSoles(Positions before, Positions after, Eigen::Index up, double reach)
+{
+    const double limitBefore = lowestOf(before, up) + reach;
+    const double limitAfter = lowestOf(after, up) + reach;
+    Vec3d sum = Vec3d::Zero();
+    int count = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+        if (static_cast<double>(before[v][up]) > limitBefore ||
+            static_cast<double>(after[v][up]) > limitAfter)
+            continue;
+        sum += (after[v] - before[v]).cast<double>();
+        ++count;
+    }
+    return count > 0 ? std::optional<Vec3d>(sum / count) : std::nullopt;
+}
+
+/// Where feet rest: the middle one of the lowest points of frames in which a foot stands.
+double groundOf(const TemplateCourse& course)
+{
+    std::vector<double> heights;
+    for (std::size_t f = 0; f < course.lowest.size(); ++f) {
+        if (course.stands[f] != 0)
+            heights.push_back(course.lowest[f]);
+    }
+    if (heights.empty())
+        return *std::ranges::min_element(course.lowest);
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::ranges::nth_element(heights, middle);
+    return *middle;
+}
+
+} // namespace
+
+double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual)
+{
+    const Ground2 axes = groundAxes(up);
+    const auto upward = static_cast<Eigen::Index>(up);
+    const double height = heightOf(target.at(0), upward);
+    const double reach = soleHeight * height;
+    double product = 0;
+    double square = 0;
+    double way = 0;
+    for (std::size_t f = 0; f + 1 < target.count(); ++f) {
+        if (course.stands[f] == 0 || course.stands[f + 1] == 0)
+            continue;
+        const auto soles = wayOfSoles(target.at(f), target.at(f + 1), upward, reach);
+        if (!soles)
+            continue;
+        const Vec2d root = onGround(course.middles[f + 1] - course.middles[f], axes);
+        product -= root.dot(onGround(*soles, axes));
+        square += root.squaredNorm();
+        way += root.norm();
+    }
+    if (way < leastWay * height)
+        return usual;
+    return std::clamp(product / square, usual / widestLegs, usual * widestLegs);
+}
+
+void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target)
+{
+    const Ground2 axes = groundAxes(up);
+    const auto upward = static_cast<Eigen::Index>(up);
+    const double ground = groundOf(course);
+    const Vec3d& begin = course.middles.front();
+    // Of the middle of the marks: what the template's would be, scaled, and what the soles ask for.
+    std::vector<double> asked;
+    asked.reserve(target.count());
+    for (std::size_t f = 0; f < target.count(); ++f) {
+        const double soles = ground + scale * (course.lowest[f] - ground) - lowestOf(target.at(f), upward);
+        asked.push_back(soles - scale * (course.middles[f] - begin)[upward]);
+    }
+    asked = evened(asked, heightDeviation * course.fps);
+    for (std::size_t f = 0; f < target.count(); ++f) {
+        const Vec3d way = course.middles[f] - begin;
+        Vec3d shift = scale * way;
+        shift[upward] += asked[f];
+        for (const Eigen::Index axis : axes)
+            shift[axis] += begin[axis];
+        for (Vec3f& p : target.at(f))
+            p += shift.cast<float>();
+    }
+}
+
+} // namespace quadrille

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/units.h"
+#include "model/sequence/axes.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// How a template moves over the ground while it performs, metres.
+struct TemplateCourse
+{
+    std::vector<Vec3d> middles;       ///< of its marked triangles, in each frame
+    std::vector<double> lowest;       ///< height of its lowest vertex, in each frame
+    std::vector<std::uint8_t> stands; ///< 1 where a foot stands, by its contacts
+    double fps = 25;
+};
+
+/// Poses of a target, one after the other: frames × vertices, metres.
+struct PosedTarget
+{
+    std::span<Vec3f> positions;
+    std::size_t vertices = 0;
+
+    std::size_t count() const { return positions.size() / vertices; }
+    std::span<Vec3f> at(std::size_t frame) const { return positions.subspan(frame * vertices, vertices); }
+};
+
+/// By how much the way of a template must be scaled so that a target's feet stand still where the template's
+/// do: least squares over the horizontal motion of what of the target is lowest from one standing frame to
+/// the next. \param target  posed, the middles of its marks all at one place. \param usual  the ratio of the
+/// bodies' heights; returned where the template hardly moves over the ground while it stands; what is found
+/// is within a quarter of it.
+double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual);
+
+/// Moves each frame of a target, without turning it: over the ground as the template from where it begins, by
+/// a scale; up or down so that the lowest vertex is as high above the ground as the template's, by the scale,
+/// evened out over some hundredths of a second.
+/// \param target  as for scaleOfSteps, the middles of its marks at the origin.
+void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target);
+
+} // namespace quadrille

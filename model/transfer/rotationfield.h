@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/transfer/harmonicfield.h"
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// Which numbers of the marked triangles' rotations are spread over a target.
+enum class FieldKind
+{
+    Quaternions, ///< the components of unit quaternions, normalised afterwards (SCANS §4)
+    /// Logarithms of the rotations against that of the body as a whole: a part that turns by more than 180
+    /// degrees against the body goes on turning.
+    Logarithms,
+};
+
+/// The rotations of all triangles of a target from those of marked ones. Immutable; safe from any thread.
+class RotationField
+{
+public:
+    /// \param system  must outlive the field. \param marks  as for HarmonicField.
+    RotationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind);
+
+    /// The rotations at the vertices.
+    /// \param marks  those of the marked triangles, unit quaternions whose signs go together, see
+    /// MarkTracker. \param root  that of the body as a whole; its sign goes with theirs. \param x  (rows + 1)
+    /// × 4: quaternions w, x, y, z of any length, in the order of HarmonicSystem::rowOf.
+    void solve(std::span<const Eigen::Quaterniond> marks, const Eigen::Quaterniond& root,
+               std::vector<double>& x) const;
+    /// The edges of all triangles, turned: by the mean of the rotations at their corners, marked ones by
+    /// their own. \param x  as `solve` left it. \param rest  the edges at rest.
+    void turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
+              std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const;
+
+    std::size_t markCount() const { return m_marks.size(); }
+
+private:
+    const HarmonicSystem* m_system;
+    std::vector<std::size_t> m_marks;
+    FieldKind m_kind;
+    HarmonicField m_field;
+};
+
+} // namespace quadrille
