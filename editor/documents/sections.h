@@ -28,6 +28,7 @@ enum class Section
     BodyParts, ///< an entry is called by its character
     Variations,
     Appearances,
+    Transfers,
     Evaluations, ///< an entry is called by its table, and its character where it names one: see
                  ///< evaluationName()
     Exports,
@@ -69,6 +70,7 @@ inline constexpr std::tuple named{
     Place<std::vector<AnimationEntry>>(Section::Animations, &Project::animations),
     Place<std::vector<VariationEntry>>(Section::Variations, &Project::variations),
     Place<std::vector<AppearanceEntry>>(Section::Appearances, &Project::appearances),
+    Place<std::vector<TransferEntry>>(Section::Transfers, &Project::transfers),
     Place<std::vector<ExportEntry>>(Section::Exports, &Project::exports)};
 /// What is edited as one value.
 inline constexpr std::tuple whole{

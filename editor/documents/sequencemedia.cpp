@@ -106,7 +106,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
     if (const auto clip = clipOfSource(entry.source)) {
         source.entry.character = entry.character;
         source.parts = partsOfClip(document().project(), *clip);
-        if (!source.parts->animations.empty() || !source.parts->variations.empty())
+        if (!source.parts->animations.empty() || !source.parts->variations.empty() ||
+            !source.parts->transfers.empty())
             source.results = cacheFolder(document().workingFile());
         const ResultStore store(source.results);
         const auto addTime = [&](const std::string& step) {
@@ -121,6 +122,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             addClip("animations/" + animation.name);
         for (const VariationEntry& variation : source.parts->variations)
             addClip("variations/" + variation.name);
+        for (const TransferEntry& transfer : source.parts->transfers)
+            addClip("transfers/" + transfer.name);
         // Frames between captured ones have textures of a model, whatever that is made of.
         for (const AppearanceEntry& appearance : document().project().appearances) {
             source.parts->appearances.push_back(

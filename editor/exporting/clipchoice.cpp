@@ -51,7 +51,8 @@ void listClips(QComboBox& box, const Project& project, const QStringList& planne
     const std::pair<QString, QStringList> kinds[] = {
         {Texts::tr("Takes"), clipsOf(project.sequences, QStringLiteral("sequences/"))},
         {Texts::tr("Animations"), clipsOf(project.animations, QStringLiteral("animations/"))},
-        {Texts::tr("Variations"), clipsOf(project.variations, QStringLiteral("variations/"))}};
+        {Texts::tr("Variations"), clipsOf(project.variations, QStringLiteral("variations/"))},
+        {Texts::tr("Transfers"), clipsOf(project.transfers, QStringLiteral("transfers/"))}};
     const auto count = std::count_if(std::begin(kinds), std::end(kinds),
                                      [](const auto& kind) { return !kind.second.isEmpty(); });
     for (const auto& [heading, clips] : kinds) {

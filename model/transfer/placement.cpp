@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 namespace quadrille {
 
@@ -83,6 +82,17 @@ double groundOf(const TemplateCourse& course)
 
 } // namespace
 
+std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, std::int64_t frames)
+{
+    std::vector<std::uint8_t> stands(static_cast<std::size_t>(frames), 0);
+    for (const ContactSpan& contact : contacts) {
+        const std::int64_t last = std::min(contact.frames.last.value, frames - 1);
+        for (std::int64_t f = std::max<std::int64_t>(contact.frames.first.value, 0); f <= last; ++f)
+            stands[static_cast<std::size_t>(f)] = 1;
+    }
+    return stands;
+}
+
 double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual)
 {
     const Ground2 axes = groundAxes(up);
@@ -131,6 +141,21 @@ void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const 
         for (Vec3f& p : target.at(f))
             p += shift.cast<float>();
     }
+}
+
+std::vector<std::optional<double>> slidesOfSoles(std::span<const std::uint8_t> stands, double fps,
+                                                 const PosedTarget& target, UpAxis up)
+{
+    const auto upward = static_cast<Eigen::Index>(up);
+    const double reach = soleHeight * heightOf(target.at(0), upward);
+    std::vector<std::optional<double>> slides(target.count());
+    for (std::size_t f = 0; f + 1 < target.count(); ++f) {
+        if (stands[f] == 0 || stands[f + 1] == 0)
+            continue;
+        if (const auto way = wayOfSoles(target.at(f), target.at(f + 1), upward, reach))
+            slides[f] = onGround(*way, groundAxes(up)).norm() * fps;
+    }
+    return slides;
 }
 
 } // namespace quadrille

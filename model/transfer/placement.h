@@ -4,8 +4,10 @@
 
 #include "model/core/units.h"
 #include "model/sequence/axes.h"
+#include "model/sequence/meshsequence.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,9 @@ struct PosedTarget
     std::span<Vec3f> at(std::size_t frame) const { return positions.subspan(frame * vertices, vertices); }
 };
 
+/// In which frames a foot stands, by the contacts of a sequence: 1, else 0.
+std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, std::int64_t frames);
+
 /// By how much the way of a template must be scaled so that a target's feet stand still where the template's
 /// do: least squares over the horizontal motion of what of the target is lowest from one standing frame to
 /// the next. \param target  posed, the middles of its marks all at one place. \param usual  the ratio of the
@@ -42,5 +47,11 @@ double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpA
 /// evened out over some hundredths of a second.
 /// \param target  as for scaleOfSteps, the middles of its marks at the origin.
 void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target);
+
+/// How fast what stands slides: the speed over the ground of the vertices that are lowest in a frame and the
+/// next, metres a second. \param stands  as TemplateCourse. \return of each frame; nothing where no foot
+/// stands in both, and in the last one.
+std::vector<std::optional<double>> slidesOfSoles(std::span<const std::uint8_t> stands, double fps,
+                                                 const PosedTarget& target, UpAxis up);
 
 } // namespace quadrille

@@ -21,28 +21,6 @@ namespace quadrille {
 
 namespace {
 
-void checkPairs(const Topology& reference, const Topology& target, std::span<const TrianglePair> pairs)
-{
-    if (pairs.empty())
-        throw Error(ErrorCode::TransferNoPairs);
-    std::set<TriangleIndex> seen;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto check = [&](TriangleIndex triangle, const Topology& mesh, ErrorCode code) {
-            if (triangle.value < mesh.triangles().size())
-                return;
-            throw Error(code, {.values = {{"pair", std::to_string(i + 1)},
-                                          {"triangle", std::to_string(triangle.value)},
-                                          {"count", std::to_string(mesh.triangles().size())}}});
-        };
-        check(pairs[i].onTemplate, reference, ErrorCode::TransferTriangleOfTemplate);
-        check(pairs[i].onTarget, target, ErrorCode::TransferTriangleOfTarget);
-        if (!seen.insert(pairs[i].onTarget).second) {
-            throw Error(ErrorCode::TransferTriangleTwice,
-                        {.values = {{"triangle", std::to_string(pairs[i].onTarget.value)}}});
-        }
-    }
-}
-
 Vec3d middleOf(const Triangle& triangle, Positions pose)
 {
     return (pose[triangle[0].value] + pose[triangle[1].value] + pose[triangle[2].value]).cast<double>() / 3;
@@ -98,9 +76,16 @@ std::vector<Vec3f> turned(Positions pose, double angle, UpAxis up)
     return result;
 }
 
-double extentAlong(Positions pose, UpAxis up)
+/// The ratio of two bodies' heights; of their diagonals where one of them lies flat.
+double sizeRatio(Positions target, Positions reference, UpAxis up)
 {
-    return boundsOf(pose).size()[static_cast<Eigen::Index>(up)];
+    constexpr double flat = 0.05;
+    const Vec3d large = boundsOf(target).size();
+    const Vec3d small = boundsOf(reference).size();
+    const auto axis = static_cast<Eigen::Index>(up);
+    const bool bothStand = large[axis] > flat * large.norm() && small[axis] > flat * small.norm();
+    const double ratio = bothStand ? large[axis] / small[axis] : large.norm() / small.norm();
+    return std::isfinite(ratio) && ratio > 0 ? ratio : 1;
 }
 
 /// What a template does in each frame.
@@ -120,6 +105,7 @@ TemplateMotion follow(const MeshSequence& clip, Positions reference, std::span<c
     TemplateMotion motion;
     motion.course.fps = clip.fps;
     const std::int64_t count = clip.frameCount();
+    motion.course.stands = standingFrames(clip.contacts, count);
     for (FrameIndex f(0); f.value < count; ++f) {
         const Frame frame = clip.frame(f);
         const Positions pose = frame.positions();
@@ -129,9 +115,6 @@ TemplateMotion follow(const MeshSequence& clip, Positions reference, std::span<c
             middle += middleOf(triangle, pose) / static_cast<double>(triangles.size());
         motion.course.middles.push_back(middle);
         motion.course.lowest.push_back(boundsOf(pose).min[static_cast<Eigen::Index>(up)]);
-        const bool stands = std::ranges::any_of(
-            clip.contacts, [&](const ContactSpan& contact) { return contact.frames.contains(f); });
-        motion.course.stands.push_back(stands ? 1 : 0);
         progress.report(f.value + 1, count);
     }
     return motion;
@@ -175,6 +158,28 @@ private:
 };
 
 } // namespace
+
+void checkPairs(const Topology& reference, const Topology& target, std::span<const TrianglePair> pairs)
+{
+    if (pairs.empty())
+        throw Error(ErrorCode::TransferNoPairs);
+    std::set<TriangleIndex> seen;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto check = [&](TriangleIndex triangle, const Topology& mesh, ErrorCode code) {
+            if (triangle.value < mesh.triangles().size())
+                return;
+            throw Error(code, {.values = {{"pair", std::to_string(i + 1)},
+                                          {"triangle", std::to_string(triangle.value)},
+                                          {"count", std::to_string(mesh.triangles().size())}}});
+        };
+        check(pairs[i].onTemplate, reference, ErrorCode::TransferTriangleOfTemplate);
+        check(pairs[i].onTarget, target, ErrorCode::TransferTriangleOfTarget);
+        if (!seen.insert(pairs[i].onTarget).second) {
+            throw Error(ErrorCode::TransferTriangleTwice,
+                        {.values = {{"triangle", std::to_string(pairs[i].onTarget.value)}}});
+        }
+    }
+}
 
 double turnOntoTemplate(const PosedMesh& reference, const PosedMesh& target,
                         std::span<const TrianglePair> pairs, UpAxis up)
@@ -238,8 +243,7 @@ Transferred transferClip(const MeshSequence& clip, const PosedMesh& reference, c
             result.volume[f] = meter.volume(posed.at(f));
         solving.report(++done, static_cast<std::int64_t>(count));
     });
-    const double usual =
-        extentAlong(rest, settings.up) / std::max(extentAlong(reference.positions, settings.up), 1e-9);
+    const double usual = sizeRatio(rest, reference.positions, settings.up);
     result.scale = settings.scale ? *settings.scale : scaleOfSteps(motion.course, posed, settings.up, usual);
     placeOnGround(motion.course, result.scale, settings.up, posed);
     progress.report(1);

@@ -49,6 +49,10 @@ struct Transferred
     std::vector<double> markErrors; ///< of each frame: mean angle that marked triangles miss, radians
 };
 
+/// \throws Error TransferNoPairs, TransferTriangleOfTemplate and …OfTarget (there is no such triangle),
+/// TransferTriangleTwice (one of the target in two pairs).
+void checkPairs(const Topology& reference, const Topology& target, std::span<const TrianglePair> pairs);
+
 /// The turn about the up axis that brings marked triangles of a target nearest to those of a template, their
 /// middles at one place, radians.
 double turnOntoTemplate(const PosedMesh& reference, const PosedMesh& target,
@@ -63,10 +67,9 @@ double poseDifference(const Topology& mesh, Positions pose, const PosedMesh& tar
 /// frame the rotations of the marked triangles since the reference pose; its way is the template's, scaled,
 /// see placement.h. \param clip  of the template's mesh, metres; its contacts say when feet stand.
 /// \param reference  a pose of the template that the target's is like. \param target  in its own pose.
-/// \throws Error TransferNoPairs, TransferTriangleOfTemplate and …OfTarget (there is no such triangle),
-/// TransferTriangleTwice (one of the target in two pairs), TransferTriangleFlat, as SolidTarget, Cancelled,
-/// and what reading frames throws. \return the same for any number of threads. Cost: see TransferSolver;
-/// frames in parallel.
+/// \throws Error as checkPairs and SolidTarget, TransferTriangleFlat (one of the target has no area),
+/// Cancelled, and what reading frames throws. \return the same for any number of threads. Cost: see
+/// TransferSolver; frames in parallel.
 Transferred transferClip(const MeshSequence& clip, const PosedMesh& reference, const PosedMesh& target,
                          std::span<const TrianglePair> pairs, const TransferSettings& settings = {},
                          const Progress& progress = {});

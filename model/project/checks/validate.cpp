@@ -36,6 +36,8 @@ public:
         validateAnimations(m_project, m_problems);
         validateVariations(m_project, m_problems);
         validateAppearances(m_project, m_problems);
+        for (std::size_t i = 0; i < m_project.transfers.size(); ++i)
+            checkTransfer(m_project.transfers[i], "/transfers/" + std::to_string(i));
         validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i) {
             if (const std::string& what = m_project.exports[i].what; !what.empty())
@@ -78,6 +80,29 @@ private:
             checkClip(*clip, pointer + "/source");
     }
 
+    void checkTransfer(const TransferEntry& transfer, const std::string& pointer)
+    {
+        if (const auto varied = variationOfClip(transfer.clip); varied && varied->number == 0)
+            invalid(pointer + "/clip", quoted(transfer.clip) + " names all variations",
+                    "Name one of them, as in “" + transfer.clip + "/1”.");
+        else
+            checkClip(transfer.clip, pointer + "/clip");
+        if (isMadeOfItself(m_project, "transfers/" + transfer.name))
+            invalid(pointer + "/clip", quoted(transfer.name) + " is made of itself", "Break the circle.");
+        if (transfer.pairs.empty())
+            m_problems.push_back(warningAt(pointer,
+                                           "The transfer " + quoted(transfer.name) + " pairs no triangles",
+                                           "Pair triangles of the template with those of the target."));
+        std::set<TriangleIndex> seen;
+        for (std::size_t i = 0; i < transfer.pairs.size(); ++i) {
+            if (!seen.insert(transfer.pairs[i].onTarget).second)
+                invalid(pointer + "/pairs/" + std::to_string(i),
+                        "Triangle " + std::to_string(transfer.pairs[i].onTarget.value) +
+                            " of the target is in two pairs",
+                        "Remove one of them.");
+        }
+    }
+
     /// A clip "SECTION/NAME" must exist; sections of later capabilities are not looked into.
     void checkClip(const std::string& clip, const std::string& pointer)
     {
@@ -90,6 +115,11 @@ private:
             const auto known = namesOf(m_project.animations);
             if (std::find(known.begin(), known.end(), name) == known.end())
                 invalid(pointer, "There is no animation " + quoted(name),
+                        meantOr(name, known, "Correct the name."));
+        } else if (section == "transfers") {
+            const auto known = namesOf(m_project.transfers);
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                invalid(pointer, "There is no transfer " + quoted(name),
                         meantOr(name, known, "Correct the name."));
         } else if (section == "variations") {
             checkVariationClip(clip, pointer);

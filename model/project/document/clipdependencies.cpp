@@ -78,6 +78,11 @@ std::vector<std::string> shownBy(const Project& project, const std::string& clip
     }
     for (const std::string& sequence : sequencesOfClip(project, clip))
         shown.push_back("sequences/" + sequence);
+    if (const TransferEntry* transfer = transferOfClip(project, clip)) {
+        shown.push_back(transfer->clip);
+        for (const std::string& sequence : templateSequences(project, *transfer))
+            shown.push_back("sequences/" + sequence);
+    }
     const auto named = nameOfClip(clip, "animations");
     if (const AnimationEntry* animation = named ? findAnimation(project, *named) : nullptr) {
         for (std::string& variation : clipsDrawnFrom(project, *animation))
@@ -107,6 +112,10 @@ Project partsOfClip(const Project& project, const std::string& clip)
         const auto at = clips.lower_bound(prefix);
         if (at != clips.end() && at->starts_with(prefix))
             parts.variations.push_back(variation);
+    }
+    for (const TransferEntry& transfer : project.transfers) {
+        if (clips.contains("transfers/" + transfer.name))
+            parts.transfers.push_back(transfer);
     }
     if (!parts.variations.empty())
         parts.bodyParts = project.bodyParts;

@@ -53,6 +53,11 @@ const AppearanceEntry* findAppearance(const Project& project, const std::string&
     return findEntry(project.appearances, name);
 }
 
+const TransferEntry* findTransfer(const Project& project, const std::string& name)
+{
+    return findEntry(project.transfers, name);
+}
+
 const AppearanceEntry* appearanceOf(const Project& project, const std::string& character)
 {
     const auto found = std::ranges::find_if(project.appearances, [&](const AppearanceEntry& entry) {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr auto animationsSection = "animations";
 constexpr auto variationsSection = "variations";
+constexpr auto transfersSection = "transfers";
 
 /// Whether a clip is, directly or through others, one of an animation of a character.
 class AnimationSearch
@@ -30,22 +31,27 @@ public:
         if (!m_seen.insert(entry.name).second)
             return false;
         const auto clip = clipOfSource(entry.source);
-        if (!clip)
-            return false;
-        if (const auto name = nameOfClip(*clip, animationsSection)) {
+        return clip && findsClip(*clip);
+    }
+
+private:
+    bool findsClip(const std::string& clip)
+    {
+        if (const auto name = nameOfClip(clip, animationsSection)) {
             const AnimationEntry* animation = findAnimation(m_project, *name);
             return animation != nullptr && characterNameOf(m_project, *animation) == m_character;
         }
-        if (const auto name = nameOfClip(*clip, "sequences"))
+        if (const auto name = nameOfClip(clip, "sequences"))
             return findsIn(*name);
-        const auto varied = variationOfClip(*clip);
+        if (const TransferEntry* transfer = transferOfClip(m_project, clip))
+            return m_seen.insert(clip).second &&
+                   (findsIn(transfer->target.sequence) || findsClip(transfer->clip));
+        const auto varied = variationOfClip(clip);
         const VariationEntry* variation = varied ? findVariation(m_project, varied->variation) : nullptr;
         return variation != nullptr &&
                std::any_of(variation->training.begin(), variation->training.end(),
                            [this](const TrainingEntry& take) { return findsIn(take.sequence); });
     }
-
-private:
     bool findsIn(const std::string& name)
     {
         const SequenceEntry* sequence = findSequence(m_project, name);
@@ -78,6 +84,26 @@ std::optional<VariationNumber> variationOfClip(std::string_view clip)
     if (error != std::errc() || end != last || found.number < 1)
         return std::nullopt;
     return found;
+}
+
+const TransferEntry* transferOfClip(const Project& project, std::string_view clip)
+{
+    const auto name = nameOfClip(clip, transfersSection);
+    return name ? findTransfer(project, *name) : nullptr;
+}
+
+std::vector<std::string> templateSequences(const Project& project, const TransferEntry& transfer)
+{
+    if (transfer.reference)
+        return {transfer.reference->sequence};
+    std::vector<std::string> names;
+    const std::string character = characterOfClip(project, transfer.clip);
+    for (const SequenceEntry& entry : project.sequences) {
+        const CharacterEntry* own = characterOf(project, entry);
+        if (own != nullptr && own->name == character && !clipOfSource(entry.source))
+            names.push_back(entry.name);
+    }
+    return names;
 }
 
 int variationCount(const VariationEntry& entry)
@@ -138,7 +164,8 @@ std::vector<std::string> partNamesOf(const Project& project, const VariationEntr
 bool isMadeClip(std::string_view clip)
 {
     const auto varied = variationOfClip(clip);
-    return nameOfClip(clip, animationsSection).has_value() || (varied && varied->number > 0);
+    return nameOfClip(clip, animationsSection).has_value() ||
+           nameOfClip(clip, transfersSection).has_value() || (varied && varied->number > 0);
 }
 
 std::string clipStepOf(const std::string& clip)
@@ -201,6 +228,8 @@ std::vector<std::string> sequencesOfClip(const Project& project, const std::stri
         return animation ? sequencesOfGraph(project, characterNameOf(project, *animation))
                          : std::vector<std::string>();
     }
+    if (const TransferEntry* transfer = transferOfClip(project, clip))
+        return {transfer->target.sequence};
     std::vector<std::string> names;
     const auto varied = variationOfClip(clip);
     const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr;
@@ -221,7 +250,8 @@ std::string characterOfClip(const Project& project, const std::string& clip)
         const VariationEntry* variation = findVariation(project, varied->variation);
         return variation ? characterNameOf(project, *variation) : "";
     }
-    const auto name = nameOfClip(clip, "sequences");
+    const TransferEntry* transfer = transferOfClip(project, clip);
+    const auto name = transfer ? transfer->target.sequence : nameOfClip(clip, "sequences");
     const SequenceEntry* sequence = name ? findSequence(project, *name) : nullptr;
     const CharacterEntry* character = sequence ? characterOf(project, *sequence) : nullptr;
     return character ? character->name : "";

@@ -23,6 +23,11 @@ struct VariationNumber
 };
 /// Nothing for clips of other sections, and where the number is none.
 std::optional<VariationNumber> variationOfClip(std::string_view clip);
+/// The transfer that a clip "transfers/NAME" is; null where it is none, or there is no such.
+const TransferEntry* transferOfClip(const Project& project, std::string_view clip);
+/// The sequences in which the pose of a transfer's template is found that is like the target's: the one that
+/// the entry names, or all captured ones of the template's character.
+std::vector<std::string> templateSequences(const Project& project, const TransferEntry& transfer);
 /// How many variations an entry draws.
 int variationCount(const VariationEntry& entry);
 
@@ -41,7 +46,7 @@ std::vector<const VariationEntry*> learnedVariations(const Project& project, con
 /// Names of the parts that an entry learns, the root first; “body” where it is not cut.
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
 
-/// Whether a clip is one that steps make: "animations/NAME" or "variations/NAME/3".
+/// Whether a clip is one that steps make: "animations/NAME", "transfers/NAME" or "variations/NAME/3".
 bool isMadeClip(std::string_view clip);
 /// The step that makes it. \pre isMadeClip.
 std::string clipStepOf(const std::string& clip);

@@ -108,6 +108,13 @@ void readValue(const ObjectReader& reader, const std::string& key, HmcSettings& 
 void writeValue(Json& json, const std::string& key, const HmcSettings& chain, const FieldContext&);
 void valueSchema(Json& properties, const std::string& key, Type<HmcSettings>);
 
+// [[triangle of the template, triangle of the target], …]
+void readValue(const ObjectReader& reader, const std::string& key, std::vector<TrianglePair>& pairs,
+               const FieldContext&);
+void writeValue(Json& json, const std::string& key, const std::vector<TrianglePair>& pairs,
+                const FieldContext&);
+void valueSchema(Json& properties, const std::string& key, Type<std::vector<TrianglePair>>);
+
 // The spread of trajectories, or that they are the model's.
 void readValue(const ObjectReader& reader, const std::string& key, TrajectoryLimits& extent,
                const FieldContext&);

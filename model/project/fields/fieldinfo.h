@@ -99,6 +99,7 @@ enum class NamedKind
     Sequence,
     Animation,
     Variation,
+    Transfer,
 };
 
 /// What a text or a number stands for.

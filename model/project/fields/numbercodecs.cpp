@@ -3,6 +3,10 @@
 #include "model/project/fields/codecs.h"
 #include "model/project/json/jsonmembers.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 namespace quadrille {
 
 namespace {
@@ -72,6 +76,45 @@ void valueSchema(Json& properties, const std::string& key, Type<HmcSettings>)
 {
     properties[key] = pairSchema("[least, greatest] share that the step size is tuned to.", 1, true,
                                  {HmcSettings().leastAcceptance, HmcSettings().greatestAcceptance});
+}
+
+void readValue(const ObjectReader& reader, const std::string& key, std::vector<TrianglePair>& pairs,
+               const FieldContext&)
+{
+    reader.each(key, [&](const Json& item, const std::string& pointer) {
+        const bool isPair =
+            item.is_array() && item.size() == 2 && std::ranges::all_of(item, [](const Json& triangle) {
+                return triangle.is_number_unsigned() &&
+                       triangle.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+            });
+        if (!isPair) {
+            reader.invalid(pointer, "A pair must be two triangles, counted from 0",
+                           "Write [triangle of the template, triangle of the target].");
+            return;
+        }
+        pairs.push_back(
+            {TriangleIndex(item[0].get<std::uint32_t>()), TriangleIndex(item[1].get<std::uint32_t>())});
+    });
+}
+
+void writeValue(Json& json, const std::string& key, const std::vector<TrianglePair>& pairs,
+                const FieldContext&)
+{
+    Json& list = json[key] = Json::array();
+    for (const TrianglePair& pair : pairs)
+        list.push_back({pair.onTemplate.value, pair.onTarget.value});
+}
+
+void valueSchema(Json& properties, const std::string& key, Type<std::vector<TrianglePair>>)
+{
+    properties[key] = {
+        {"description", "Triangles of the template and of the target that turn alike, counted from 0."},
+        {"type", "array"},
+        {"items",
+         {{"type", "array"},
+          {"items", {{"type", "integer"}, {"minimum", 0}}},
+          {"minItems", 2},
+          {"maxItems", 2}}}};
 }
 
 void readValue(const ObjectReader& reader, const std::string& key, TrajectoryLimits& extent,

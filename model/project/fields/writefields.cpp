@@ -243,6 +243,11 @@ Json writeFields(const AppearanceEntry& appearance)
     return toJson(appearance, {CoordinateSystem()});
 }
 
+Json writeFields(const TransferEntry& transfer)
+{
+    return toJson(transfer, {CoordinateSystem()});
+}
+
 Json writeFields(const AnimationEntry& animation, UpAxis up)
 {
     return toJson(animation, {CoordinateSystem{up, 1}});

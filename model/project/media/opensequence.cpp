@@ -172,6 +172,12 @@ OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progr
     if (!made)
         throwInvalid({}, "The clip “" + clip + "” is not computed yet",
                      QUADRILLE_MESSAGE("Rebuild the project."));
+    if (const TransferEntry* transfer = transferOfClip(m_project, clip)) {
+        // What the template does, the target does in the same frames.
+        const auto source = openClip(transfer->clip, progress);
+        made->labels = source->sequence.labels;
+        made->contacts = source->sequence.contacts;
+    }
     return {.sequence = std::move(*made)};
 }
 

@@ -106,6 +106,8 @@ std::vector<BuildStep> makeAnimationSteps(const StepMaking& making);
 std::vector<BuildStep> makeVariationSteps(const StepMaking& making);
 /// Models of the section “appearance”, and the textures that they complete.
 std::vector<BuildStep> makeAppearanceSteps(const StepMaking& making);
+/// Clips of the section “transfers”.
+std::vector<BuildStep> makeTransferSteps(const StepMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<BuildStep> makeSheetSteps(const StepMaking& making);
 

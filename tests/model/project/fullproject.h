@@ -4,6 +4,7 @@
 
 #include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
+#include "tests/model/project/fulltransfer.h"
 #include "tests/model/project/fullvariation.h"
 #include "tests/model/project/testproject.h"
 
@@ -155,6 +156,7 @@ inline Project fullProject()
     project.animations = {fullAnimation()};
     project.variations = {fullVariation()};
     project.appearances = {fullAppearance()};
+    project.transfers = {fullTransfer()};
     EvaluationEntry evaluation;
     evaluation.table = "fig9";
     evaluation.character = "liam";

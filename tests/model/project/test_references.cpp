@@ -136,6 +136,28 @@ TEST(References, OfAModelOfAppearanceGoOneByOneAndTakeItWithTheLast)
     EXPECT_TRUE(project.appearances.empty()); // none would mean all
 }
 
+TEST(References, OfATransferFollowNamesAndTakeItAlong)
+{
+    Project project = fullProject();
+    SequenceEntry shown = sequenceOf("shown", "clip:transfers/doubled");
+    shown.character = "liam";
+    project.sequences.push_back(shown);
+    renameEntry(project, NamedKind::Transfer, "doubled", "twice");
+    project.transfers.front().name = "twice";
+    EXPECT_EQ(project.sequences.back().source, "clip:transfers/twice");
+    renameEntry(project, NamedKind::Sequence, "softly", "loudly");
+    EXPECT_EQ(project.transfers.front().target.sequence, "loudly");
+    removeEntries(project, NamedKind::Transfer, {"twice"});
+    EXPECT_TRUE(project.transfers.empty());
+    EXPECT_NE(project.sequences.back().name, "shown");
+
+    for (const char* needed : {"talk", "softly"}) {
+        project = fullProject();
+        removeEntries(project, NamedKind::Sequence, {needed});
+        EXPECT_TRUE(project.transfers.empty()) << needed;
+    }
+}
+
 TEST(References, ToAnAnimationTakeWhatShowsIt)
 {
     Project project = referringProject();

@@ -108,6 +108,7 @@ const std::pair<const char*, const char*> fullObjects[] = {
     {"across_samples", "/variations/0/samples/0/across"},
     {"appearance", "/appearance/0"},
     {"completion", "/appearance/0/completions/0"},
+    {"transfer", "/transfers/0"},
     {"mask_stroke", "/appearance/0/completions/0/strokes/0"},
     {"export", "/exports/0"},
     {"picture", "/exports/0/picture"},

@@ -46,6 +46,28 @@ TEST(Validate, TheCharacterMayBeLeftOutOnlyWhereThereIsOne)
     EXPECT_THAT(onlyProblem(project), HasSubstr("Did you mean “dancer”?"));
 }
 
+TEST(Validate, TransfersAreChecked)
+{
+    const auto problemOf = [](auto change) {
+        Project project = fullProject();
+        change(project.transfers[0]);
+        return onlyProblem(project);
+    };
+    using Entry = TransferEntry;
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "sequences/takl"; }),
+                AllOf(HasSubstr("/transfers/0/clip"), HasSubstr("Did you mean “talk”?")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "transfers/double"; }), HasSubstr("There is no transfer"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "transfers/doubled"; }), HasSubstr("made of itself"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.target.sequence = "x"; }),
+                HasSubstr("/transfers/0/target/sequence"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.reference->frame = FrameIndex(-1); }),
+                HasSubstr("/transfers/0/reference/frame"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.pairs.clear(); }), HasSubstr("pairs no triangles"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.pairs[1].onTarget = e.pairs[0].onTarget; }),
+                AllOf(HasSubstr("/transfers/0/pairs/1"), HasSubstr("in two pairs")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.scale = 0; }), HasSubstr("/transfers/0/scale"));
+}
+
 TEST(Validate, ModelsOfAppearanceAreChecked)
 {
     const auto problemOf = [](auto change) {

@@ -125,6 +125,13 @@ TEST_F(TransferClip, TakesTheScaleThatIsGiven)
     EXPECT_DOUBLE_EQ(transfer({.scale = 0.7}).scale, 0.7);
 }
 
+TEST_F(TransferClip, SizesOfFlatMeshesAreThoseOfTheirDiagonals)
+{
+    for (Vec3f& p : m_reference.positions)
+        p.y() = 0;
+    EXPECT_NEAR(transfer().scale, 1.5, 0.1);
+}
+
 TEST_F(TransferClip, TellsPosesApart)
 {
     const auto difference = [&](const std::vector<Vec3f>& pose) {

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/document/animationentry.h"
+#include "model/transfer/transferclip.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// A clip that another mesh performs.
+struct TransferEntry
+{
+    std::string name;
+    std::string clip;  ///< of the template: "sequences/NAME", "animations/NAME", "variations/NAME/3", …
+    NamedFrame target; ///< the mesh that performs it, in its reference pose
+    /// The pose of the template that the target's is like; the most alike of its takes and the clip.
+    std::optional<NamedFrame> reference;
+    std::vector<TrianglePair> pairs;
+    FieldKind field = FieldKind::Quaternions;
+    std::optional<double> scale;  ///< of the way; what the target's steps ask for
+    bool correctsContacts = true; ///< feet that stand in the clip stand still
+    UnknownKeys unknown;
+
+    bool operator==(const TransferEntry&) const = default;
+};
+
+} // namespace quadrille

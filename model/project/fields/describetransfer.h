@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/project/fields/describebodyparts.h"
+
+namespace quadrille {
+
+template <typename Fields>
+void describe(Fields& f, Type<TransferEntry>)
+{
+    using E = TransferEntry;
+    f.about("transfer", "A clip that another mesh performs.");
+    f.name("name", &E::name);
+    f.as(Role::Clip, "clip", &E::clip,
+         {.help = "What is performed: a clip of the template as “SECTION/NAME”.", .need = Need::Required});
+    f.object(
+        "target", &E::target,
+        {.help = "The mesh that performs it, in a frame of a sequence of its own.", .need = Need::Required});
+    f.object("reference", &E::reference,
+             {.help = "The frame of the template whose pose is the target's; where it is left out the most "
+                      "alike of the template's takes."});
+    f.field("pairs", &E::pairs);
+    f.word("field", &E::field,
+           words<FieldKind>({{"quaternions", FieldKind::Quaternions}, {"logarithms", FieldKind::Logarithms}}),
+           {.help = "What of the marked triangles' rotations is spread over the target: quaternions, as "
+                    "published, or logarithms, which turn evenly where a part turns far."});
+    f.field("scale", &E::scale,
+            {.help = "Of the way over the ground and of heights above it; what the target's steps ask for "
+                     "where it is left out.",
+             .limits = Limits::between(0.01, 100, "The scale of a transfer must be from 0.01 to 100",
+                                       "Leave it out, as usual.")});
+    f.field("contact_correction", &E::correctsContacts,
+            {.help = "Feet that stand in the clip stand still in the result as well."});
+    f.unknown(&E::unknown);
+}
+
+} // namespace quadrille

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/store/resultplaces.h"
+#include "tests/model/project/stripproject.h"
+
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+namespace {
+
+/// The strips, and another one that takes over what they do.
+class TransferSteps : public StripProject
+{
+protected:
+    TransferSteps()
+    {
+        folder.write("scan.obj", bentStrip(0.01, 2));
+        project.characters = {characterOf("strip", ""), characterOf("scan", "")};
+        project.sequences.push_back(sequenceOf("scan", "scan.obj"));
+        project.sequences.back().character = "scan";
+        TransferEntry entry;
+        entry.name = "slowly";
+        entry.clip = "sequences/slow";
+        entry.target = {"scan", FrameIndex(0)};
+        for (std::uint32_t t = 0; t < 8; ++t)
+            entry.pairs.push_back({TriangleIndex(t), TriangleIndex(t)});
+        entry.correctsContacts = false; // a strip has no feet
+        project.transfers = {entry};
+    }
+
+    TransferEntry& transfer() { return project.transfers.front(); }
+    std::string failure()
+    {
+        for (const StepReport& step : run("transfers").steps) {
+            if (step.error)
+                return step.error->what();
+        }
+        return "";
+    }
+};
+
+} // namespace
+
+TEST_F(TransferSteps, MakeAClipOfTheTarget)
+{
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
+    const auto made = opener.openClip("transfers/slowly");
+    const auto slow = opener.open("slow");
+    ASSERT_EQ(made->sequence.frameCount(), 14);
+    // All triangles are paired, and they only turn.
+    for (FrameIndex f(0); f.value < 14; ++f) {
+        const Frame a = made->sequence.frame(f);
+        const Frame b = slow->sequence.frame(f);
+        for (std::size_t v = 1; v < 10; ++v)
+            EXPECT_LT(((a.positions()[v] - a.positions()[0]) - (b.positions()[v] - b.positions()[0])).norm(),
+                      0.02F);
+    }
+    EXPECT_THAT(column<std::string>("transfers/slowly/frames", "sequence"), ::testing::Each("scan"));
+    EXPECT_THAT(column<double>("transfers/slowly/report", "mark-error"), ::testing::Each(::testing::Lt(2)));
+}
+
+TEST_F(TransferSteps, AreFreshUntilSomethingTheyNeedChanges)
+{
+    run("transfers");
+    EXPECT_THAT(computed(run("transfers")), IsEmpty());
+    transfer().pairs.pop_back();
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+    folder.write("scan.obj", bentStrip(0.02, 2));
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+    project.sequences[0].contacts = {{"left", {FrameIndex(0), FrameIndex(3)}}};
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+}
+
+TEST_F(TransferSteps, TakeWhatTransfersMade)
+{
+    TransferEntry back = transfer();
+    back.name = "back";
+    back.clip = "transfers/slowly";
+    back.target = {"slow", FrameIndex(0)};
+    project.transfers.insert(project.transfers.begin(), back);
+    SequenceEntry shown = sequenceOf("shown", "clip:transfers/back");
+    shown.character = "strip";
+    project.sequences.push_back(shown);
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip", "transfers/back/clip"));
+    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
+    EXPECT_EQ(opener.open("shown")->sequence.frameCount(), 14);
+}
+
+TEST_F(TransferSteps, CarryLabelsAndContactsOfTheClip)
+{
+    project.sequences[0].contacts = {{"left", {FrameIndex(2), FrameIndex(5)}}};
+    project.sequences[0].labels = {{"bend", {FrameIndex(0), FrameIndex(9)}}};
+    run("transfers");
+    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
+    const auto made = opener.openClip("transfers/slowly");
+    EXPECT_EQ(made->sequence.contacts, project.sequences[0].contacts);
+    EXPECT_EQ(made->sequence.labels, project.sequences[0].labels);
+}
+
+TEST_F(TransferSteps, SayWhatIsWrong)
+{
+    const TransferEntry whole = transfer();
+    transfer().pairs.clear();
+    EXPECT_THAT(failure(), HasSubstr("No triangles are paired"));
+    transfer() = whole;
+    transfer().pairs[3].onTarget = TriangleIndex(99);
+    EXPECT_THAT(failure(), HasSubstr("Pair 4 names triangle 99 of the target, which has only 8"));
+    transfer() = whole;
+    transfer().target.frame = FrameIndex(5);
+    EXPECT_THAT(failure(), HasSubstr("“scan” has no frame 5"));
+    transfer() = whole;
+    transfer().reference = NamedFrame{"slow", FrameIndex(14)};
+    EXPECT_THAT(failure(), HasSubstr("“slow” has no frame 14"));
+    EXPECT_THAT(failure(), HasSubstr("from 0 to 13"));
+}
