@@ -3108,22 +3108,6 @@
         <translation>Images</translation>
     </message>
     <message>
-        <source>First frame</source>
-        <translation>Première image</translation>
-    </message>
-    <message>
-        <source>The first frame of the take that is played</source>
-        <translation>La première image jouée de la prise</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>Dernière image</translation>
-    </message>
-    <message>
-        <source>The last frame of the take that is played</source>
-        <translation>La dernière image jouée de la prise</translation>
-    </message>
-    <message>
         <source>Drag the ends to choose the frames; ← and → move the active end by a frame</source>
         <translation>Glissez les bouts pour choisir les images&#xa0;; ← et → déplacent le bout actif d’une image</translation>
     </message>
@@ -3160,16 +3144,16 @@
         <translation>Au moins</translation>
     </message>
     <message>
-        <source>Least share</source>
-        <translation>Part minimale</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
     </message>
     <message>
         <source>How much of the frames must be played; the rest may be left out at both ends to join it better</source>
         <translation>Combien de ses images doivent être jouées&#xa0;; le reste peut être omis aux deux bouts pour mieux joindre</translation>
+    </message>
+    <message>
+        <source>First and last frame of the take that are played</source>
+        <translation>Première et dernière image de la prise qui sont jouées</translation>
     </message>
 </context>
 <context>
@@ -3968,10 +3952,6 @@
     <message>
         <source>Whose textures are learned; its sequences are chosen anew with another one</source>
         <translation>Dont les textures sont apprises&#xa0;; ses séquences sont choisies à nouveau avec un autre</translation>
-    </message>
-    <message>
-        <source>Set “%1”</source>
-        <translation>Régler «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Learned from</source>
@@ -5203,10 +5183,6 @@
         <translation>Textures</translation>
     </message>
     <message>
-        <source>Last frame</source>
-        <translation>Dernière image</translation>
-    </message>
-    <message>
         <source>Choose the file</source>
         <translation>Choisir le fichier</translation>
     </message>
@@ -5370,6 +5346,17 @@
     <message>
         <source>Change or write again…</source>
         <translation>Modifier ou réécrire…</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::FieldForm</name>
+    <message>
+        <source>Set “%1”</source>
+        <translation>Définir «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
     </message>
 </context>
 <context>
@@ -5872,10 +5859,6 @@
     <message>
         <source>How long a transition lasts: while it follows its warp path, as published, its takes slow down; as the mean of its windows they keep their pace</source>
         <translation>Combien de temps dure une transition : suivant son chemin d’alignement, comme publié, ses prises ralentissent ; selon la moyenne de ses fenêtres, elles gardent leur allure</translation>
-    </message>
-    <message>
-        <source>Set “%1”</source>
-        <translation>Définir «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Distances of poses</source>
@@ -6405,10 +6388,6 @@
     <message>
         <source>Textures</source>
         <translation>Textures</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>Dernière image</translation>
     </message>
     <message>
         <source>as found</source>
@@ -7305,10 +7284,6 @@
     <message>
         <source>Settings</source>
         <translation>Réglages</translation>
-    </message>
-    <message>
-        <source>Set “%1”</source>
-        <translation>Définir «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Learning</source>
@@ -9164,10 +9139,6 @@ maximal %2</translation>
 <context>
     <name>quadrille::PostPanel</name>
     <message>
-        <source>Set “%1”</source>
-        <translation>Régler «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
         <source>Only a loop can be repeated: ask for one above.</source>
         <translation>Seule une boucle peut être répétée&#xa0;: demandez-en une ci-dessus.</translation>
     </message>
@@ -9941,10 +9912,6 @@ maximal %2</translation>
         <translation>pas encore enregistré</translation>
     </message>
     <message>
-        <source> fps</source>
-        <translation> i/s</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> Mo</translation>
     </message>
@@ -10244,6 +10211,17 @@ maximal %2</translation>
     <message>
         <source>Needs takes of a character.</source>
         <translation>Demande des prises d’un personnage.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RangeField</name>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
     </message>
 </context>
 <context>
@@ -11162,18 +11140,6 @@ maximal %2</translation>
     <message>
         <source>BVH (*.bvh)</source>
         <translation>BVH (*.bvh)</translation>
-    </message>
-    <message>
-        <source> fps</source>
-        <translation> i/s</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>Dernière image</translation>
-    </message>
-    <message>
-        <source>First frame</source>
-        <translation>Première image</translation>
     </message>
     <message>
         <source>Choose…</source>

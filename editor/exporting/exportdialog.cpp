@@ -7,6 +7,8 @@
 #include "editor/exporting/clipchoice.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/numberfield.h"
+#include "editor/fields/rangefield.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/takepreview.h"
 #include "model/project/exports/exportentry.h"
@@ -29,19 +31,6 @@
 
 namespace quadrille {
 
-namespace {
-
-QHBoxLayout* pairOf(QWidget* first, QWidget* second, int secondStretch = 1)
-{
-    auto* row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(first, 1);
-    row->addWidget(second, secondStretch);
-    return row;
-}
-
-} // namespace
-
 ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, Seen seen, QWidget* parent)
     : QDialog(parent)
     , m_context(context)
@@ -58,9 +47,8 @@ ExportDialog::ExportDialog(EditorContext& context, ExportPlan plan, Seen seen, Q
     , m_place(new QLineEdit)
     , m_choosePlace(new QToolButton)
     , m_files(new QLabel)
-    , m_first(new QSpinBox)
-    , m_last(new QSpinBox)
-    , m_fps(new QDoubleSpinBox)
+    , m_range(new RangeField("export"))
+    , m_fps(makeNumberField(rateLook("export.fps")))
     , m_axes(new AxesFields(true))
     , m_textures(new QCheckBox)
     , m_picture(new PictureFields)
@@ -90,8 +78,6 @@ void ExportDialog::makeControls()
     name(m_place, "exportPlace");
     name(m_choosePlace, "exportChoosePlace");
     name(m_files, "exportFiles");
-    name(m_first, "exportFirst");
-    name(m_last, "exportLast");
     name(m_fps, "exportFps");
     name(m_axes, "exportAxes");
     name(m_textures, "exportTextures");
@@ -110,21 +96,23 @@ void ExportDialog::makeControls()
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);
     m_files->setForegroundRole(QPalette::PlaceholderText);
-    m_fps->setRange(1, 1000);
-    m_fps->setDecimals(3);
     m_keep->setChecked(m_plan.isKept);
     m_keep->setVisible(m_plan.edited.isEmpty());
     m_export->setDefault(true);
     m_progress->setRange(0, 1000);
     m_progress->hide();
 
+    auto* place = new QHBoxLayout;
+    place->setSpacing(4);
+    place->addWidget(m_place, 1);
+    place->addWidget(m_choosePlace);
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(new QLabel, m_clip);
     m_form->addRow(new QLabel, m_format);
-    m_form->addRow(new QLabel, pairOf(m_place, m_choosePlace, 0));
+    m_form->addRow(new QLabel, place);
     m_form->addRow(QString(), m_files);
-    m_form->addRow(new QLabel, pairOf(m_first, m_last));
+    m_form->addRow(new QLabel, m_range);
     m_form->addRow(new QLabel, m_fps);
     m_form->addRow(new QLabel, m_axes);
     m_form->addRow(new QLabel, m_textures);
@@ -168,8 +156,7 @@ void ExportDialog::connectAll()
     connect(m_place, &QLineEdit::textEdited, this, edited);
     connect(m_place, &QLineEdit::editingFinished, this, &ExportDialog::followEnding);
     connect(m_choosePlace, &QToolButton::clicked, this, &ExportDialog::choosePlace);
-    connect(m_first, &QSpinBox::valueChanged, this, edited);
-    connect(m_last, &QSpinBox::valueChanged, this, edited);
+    connect(m_range, &RangeField::edited, this, edited);
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, edited);
     connect(m_axes, &AxesFields::edited, this, edited);
     connect(m_textures, &QCheckBox::toggled, this, edited);
@@ -199,14 +186,10 @@ void ExportDialog::readControls()
     entry.textures = m_textures->isChecked();
     entry.fps = m_fps->value() == settings.fps ? std::nullopt : std::optional(m_fps->value());
     entry.axes = m_axes->axes() == settings.axes ? std::nullopt : std::optional(m_axes->axes());
-    const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
-    const MeshSequence* shown = sequence();
-    const bool isWhole = shown == nullptr || isDataSet() || range == FrameRange::all(shown->frameCount());
-    entry.range = isWhole || m_plan.clips.size() > 1 ? std::nullopt : std::optional(range);
+    const bool isWhole = sequence() == nullptr || isDataSet() || m_plan.clips.size() > 1;
+    entry.range = isWhole ? std::nullopt : m_range->range();
     if (m_plan.isPicture())
         entry.picture = picture();
-    m_first->setMaximum(m_last->value());
-    m_last->setMinimum(m_first->value());
 }
 
 UnknownKeys ExportDialog::picture() const
@@ -223,21 +206,13 @@ void ExportDialog::showPlan()
 {
     const ProjectSettings& settings = m_context.document.project().settings;
     const ExportEntry& entry = m_plan.entry;
-    const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
-                                     QSignalBlocker(m_textures)};
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_fps), QSignalBlocker(m_textures)};
     m_clip->setCurrentIndex(m_clip->findData(m_plan.clips.front()));
     m_format->setCurrentIndex(m_format->findData(QString::fromStdString(m_plan.format().id)));
     m_place->setText(QString::fromStdString(entry.path));
-    if (const MeshSequence* shown = sequence()) {
-        const auto last = static_cast<int>(shown->frameCount() - 1);
-        const FrameRange range = entry.range.value_or(FrameRange::all(last + 1));
-        m_first->setRange(0, static_cast<int>(range.last.value));
-        m_last->setRange(static_cast<int>(range.first.value), last);
-        m_first->setValue(static_cast<int>(range.first.value));
-        m_last->setValue(static_cast<int>(range.last.value));
-    }
-    m_first->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && sequence() != nullptr);
-    m_last->setEnabled(m_first->isEnabled());
+    const MeshSequence* shown = sequence();
+    m_range->setRange(entry.range, shown == nullptr ? 0 : shown->frameCount());
+    m_range->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && shown != nullptr);
     m_fps->setValue(entry.fps.value_or(settings.fps));
     m_axes->setProjectAxes(settings.axes);
     m_axes->setAxes(entry.axes.value_or(settings.axes));

@@ -18,7 +18,6 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class QToolButton;
 
 namespace quadrille {
@@ -26,6 +25,7 @@ namespace quadrille {
 class AxesFields;
 class Job;
 class PictureFields;
+class RangeField;
 class TakePreview;
 struct EditorContext;
 
@@ -120,8 +120,7 @@ private:
     QLineEdit* m_place;
     QToolButton* m_choosePlace;
     QLabel* m_files;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
+    RangeField* m_range;
     QDoubleSpinBox* m_fps;
     AxesFields* m_axes;
     QCheckBox* m_textures;

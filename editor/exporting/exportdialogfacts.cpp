@@ -101,7 +101,7 @@ void ExportDialog::retranslate()
     setWindowTitle(m_plan.edited.isEmpty() ? tr("Export") : tr("Export “%1”").arg(m_plan.edited));
     const QStringList labels{tr("Clip"),   tr("Format"), tr("File"), {},
                              tr("Frames"), tr("Rate"),   tr("Axes"), tr("Textures")};
-    const QList<QWidget*> fields{m_clip, m_format, m_place, m_files, m_first, m_fps, m_axes, m_textures};
+    const QList<QWidget*> fields{m_clip, m_format, m_place, m_files, m_range, m_fps, m_axes, m_textures};
     for (int row = 0; row < labels.size(); ++row) {
         auto* item = m_form->itemAt(row, QFormLayout::LabelRole);
         auto* label = item == nullptr ? nullptr : qobject_cast<QLabel*>(item->widget());
@@ -111,7 +111,6 @@ void ExportDialog::retranslate()
         label->setBuddy(fields[row]);
         fields[row]->setAccessibleName(labels[row]);
     }
-    m_last->setAccessibleName(tr("Last frame"));
     m_choosePlace->setToolTip(tr("Choose the file"));
     m_choosePlace->setAccessibleName(tr("Choose the file"));
     m_fps->setSuffix(tr(" fps"));

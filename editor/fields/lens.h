@@ -24,6 +24,11 @@ auto lensOf(Member member)
     return Lens<Entry, Value>{[member](const Entry& entry) { return memberOf(entry, member); },
                               [member](Entry& entry, Value value) { memberOf(entry, member) = value; }};
 }
+template <typename Entry, typename Value>
+Lens<Entry, Value> lensOf(Lens<Entry, Value> lens)
+{
+    return lens;
+}
 /// A member of what an entry may have: as usual where it has not, and then not written. \param outer  a
 /// member that is optional.
 template <typename Entry, typename Outer, typename Member>

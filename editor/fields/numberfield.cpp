@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "editor/fields/numberfield.h"
 
+#include "model/project/document/groundpoint.h"
+#include "model/project/document/lengthunit.h"
 #include "model/project/fields/schema.h"
+#include "widgets/viewport/ruler.h"
 
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,6 +35,8 @@ NumberFacts factsOf(std::string_view path)
 
 namespace {
 
+constexpr auto usualMaximum = "usualMaximum"; // of a field, when it shows no number beyond
+
 NumberFacts factsFor(const NumberLook& look)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,7 +50,7 @@ double lowestOf(const NumberLook& look)
     return std::max(look.lowest, facts.least / look.scale + step);
 }
 
-class RateField : public QDoubleSpinBox
+class TrimmedField : public QDoubleSpinBox
 {
 public:
     QString textFromValue(double value) const override { return locale().toString(value, 'g', 9); }
@@ -53,7 +60,8 @@ public:
 
 double emptyNumber(const NumberLook& look)
 {
-    return lowestOf(look) - look.step;
+    const double lowest = lowestOf(look);
+    return lowest > 0 ? 0 : lowest - look.step;
 }
 
 bool isEmptyNumber(const NumberLook& look, double shown)
@@ -64,7 +72,7 @@ bool isEmptyNumber(const NumberLook& look, double shown)
 QDoubleSpinBox* makeNumberField(const NumberLook& look)
 {
     const double greatest = factsFor(look).greatest / look.scale;
-    auto* field = new QDoubleSpinBox;
+    auto* field = look.trimsZeros ? new TrimmedField : new QDoubleSpinBox;
     field->setDecimals(look.decimals);
     field->setRange(look.automatic ? emptyNumber(look) : lowestOf(look),
                     std::isfinite(greatest) ? greatest : look.highest);
@@ -76,14 +84,29 @@ QDoubleSpinBox* makeNumberField(const NumberLook& look)
     return field;
 }
 
-QDoubleSpinBox* makeRateField(bool mayBeEmpty)
+NumberLook rateLook(const char* path, SettingForm::Text automatic)
 {
-    const NumberFacts facts = factsOf("settings.fps");
-    auto* field = new RateField;
-    field->setDecimals(6);
-    field->setRange(mayBeEmpty ? 0 : facts.least, facts.greatest);
-    field->setKeyboardTracking(false);
-    return field;
+    return {.path = path,
+            .step = 1,
+            .decimals = 6,
+            .unit = [] { return QCoreApplication::translate("quadrille::FieldForm", " fps"); },
+            .automatic = std::move(automatic),
+            .trimsZeros = true};
+}
+
+void showInUnit(QDoubleSpinBox& field, const NumberLook& look)
+{
+    if (!look.metresPerUnit)
+        return;
+    const widgets::Ruler ruler(look.metresPerUnit());
+    const double lowest = lowestOf(look);
+    const double farthest = farthestPlace(ruler.metresPerUnit());
+    const QSignalBlocker quiet(field);
+    field.setDecimals(ruler.decimals(look.decimals));
+    field.setRange(lowest < 0 ? -farthest : lowest / ruler.decade(), farthest);
+    field.setSingleStep(look.step / ruler.decade());
+    field.setSuffix(QLatin1Char(' ') + QString::fromStdString(unitText(ruler.metresPerUnit())));
+    field.setProperty(usualMaximum, farthest);
 }
 
 double inFile(const NumberLook& look, double shown)
@@ -93,7 +116,6 @@ double inFile(const NumberLook& look, double shown)
 
 void showNumber(QDoubleSpinBox& field, double shown)
 {
-    constexpr auto usualMaximum = "usualMaximum";
     if (!field.property(usualMaximum).isValid())
         field.setProperty(usualMaximum, field.maximum());
     field.setMaximum(std::max(shown, field.property(usualMaximum).toDouble()));

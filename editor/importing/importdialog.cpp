@@ -8,6 +8,8 @@
 #include "editor/documents/projectpaths.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/numberfield.h"
+#include "editor/fields/rangefield.h"
 #include "editor/fields/texturefield.h"
 #include "editor/importing/taketable.h"
 #include "editor/language/retranslate.h"
@@ -41,10 +43,9 @@ ImportDialog::ImportDialog(EditorContext& context, FoundSources found, QWidget* 
     , m_mesh(new QLineEdit)
     , m_chooseMesh(new QToolButton)
     , m_axes(new AxesFields)
-    , m_fps(new QDoubleSpinBox)
+    , m_fps(makeNumberField(rateLook("sequence.source_fps")))
     , m_rateReason(new QLabel)
-    , m_first(new QSpinBox)
-    , m_last(new QSpinBox)
+    , m_range(new RangeField("import"))
     , m_texture(new TextureField)
     , m_import(new QPushButton)
     , m_cancel(new QPushButton)
@@ -101,23 +102,16 @@ QWidget* ImportDialog::makeSettings()
     m_chooseMesh->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_axes->setObjectName(QStringLiteral("importAxes"));
     m_fps->setObjectName(QStringLiteral("importFps"));
-    m_fps->setRange(1, 1000);
-    m_fps->setDecimals(3);
     m_rateReason->setObjectName(QStringLiteral("importRateReason"));
     m_rateReason->setWordWrap(true);
     m_rateReason->setForegroundRole(QPalette::PlaceholderText);
-    m_first->setObjectName(QStringLiteral("importFirst"));
-    m_last->setObjectName(QStringLiteral("importLast"));
     m_texture->setObjectName(QStringLiteral("importTexture"));
     m_texture->setStartFolder(toQString(m_found.sources.front().parent_path()));
 
-    const auto row = [](QWidget* first, QWidget* second) {
-        auto* layout = new QHBoxLayout;
-        layout->setSpacing(4);
-        layout->addWidget(first, 1);
-        layout->addWidget(second, second->sizePolicy().horizontalPolicy() == QSizePolicy::Fixed ? 0 : 1);
-        return layout;
-    };
+    auto* mesh = new QHBoxLayout;
+    mesh->setSpacing(4);
+    mesh->addWidget(m_mesh, 1);
+    mesh->addWidget(m_chooseMesh);
     auto* settings = new QWidget;
     settings->setFixedWidth(TakePreview::side + 40);
     auto* column = new QVBoxLayout(settings);
@@ -129,14 +123,14 @@ QWidget* ImportDialog::makeSettings()
     m_form->setSpacing(8);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(new QLabel, m_character);
-    m_form->addRow(new QLabel, row(m_mesh, m_chooseMesh));
+    m_form->addRow(new QLabel, mesh);
     m_form->addRow(new QLabel, m_axes);
     auto* rate = new QVBoxLayout;
     rate->setSpacing(4);
     rate->addWidget(m_fps);
     rate->addWidget(m_rateReason);
     m_form->addRow(new QLabel, rate);
-    m_form->addRow(new QLabel, row(m_first, m_last));
+    m_form->addRow(new QLabel, m_range);
     m_form->addRow(new QLabel, m_texture);
     column->addLayout(m_form);
     column->addStretch();
@@ -157,8 +151,7 @@ void ImportDialog::connectAll()
     connect(m_character, &QComboBox::editTextChanged, this, [this] { readControls(); });
     connect(m_axes, &AxesFields::edited, this, changed);
     connect(m_fps, &QDoubleSpinBox::valueChanged, this, &ImportDialog::setRate);
-    connect(m_first, &QSpinBox::valueChanged, this, [this] { readControls(); });
-    connect(m_last, &QSpinBox::valueChanged, this, [this] { readControls(); });
+    connect(m_range, &RangeField::edited, this, &ImportDialog::readControls);
     connect(m_texture, &TextureField::chosen, this, &ImportDialog::setTexture);
     connect(m_chooseMesh, &QToolButton::clicked, this, &ImportDialog::chooseMesh);
     connect(m_strip, &widgets::MessageStrip::actionTriggered, this, &ImportDialog::triggerStrip);
@@ -218,13 +211,8 @@ void ImportDialog::readControls()
         m_plan.takes[i].isWanted = m_takes->isWanted(static_cast<int>(i));
         m_plan.takes[i].name = m_takes->nameOf(static_cast<int>(i)).trimmed().toStdString();
     }
-    if (PlannedTake* planned = current(); planned != nullptr && planned->take.sequence) {
-        const FrameRange all = FrameRange::all(planned->take.sequence->frameCount());
-        const FrameRange wanted{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
-        planned->range = wanted == all ? std::nullopt : std::optional(wanted);
-        m_first->setMaximum(m_last->value());
-        m_last->setMinimum(m_first->value());
-    }
+    if (PlannedTake* planned = current(); planned != nullptr && planned->take.sequence)
+        planned->range = m_range->range();
 }
 
 void ImportDialog::showPlan()
@@ -252,17 +240,10 @@ void ImportDialog::showTake()
         const QSignalBlocker block(m_fps);
         m_fps->setValue(namesRate ? planned->take.sequence->fps : planned->rate.fps);
     }
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_first), static_cast<QWidget*>(m_last), static_cast<QWidget*>(m_texture)})
-        widget->setEnabled(isOpen);
+    m_texture->setEnabled(isOpen);
+    m_range->setEnabled(isOpen);
     if (isOpen) {
-        const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last)};
-        const auto last = static_cast<int>(planned->take.sequence->frameCount() - 1);
-        const FrameRange range = planned->range.value_or(FrameRange::all(last + 1));
-        m_first->setRange(0, static_cast<int>(range.last.value));
-        m_last->setRange(static_cast<int>(range.first.value), last);
-        m_first->setValue(static_cast<int>(range.first.value));
-        m_last->setValue(static_cast<int>(range.last.value));
+        m_range->setRange(planned->range, planned->take.sequence->frameCount());
         m_height->setText(tr("%1 m high").arg(QLocale().toString(m_plan.heightOf(planned->take), 'f', 2)));
     } else {
         m_height->clear();
@@ -374,14 +355,13 @@ void ImportDialog::retranslate()
     m_preview->setAccessibleName(tr("Preview"));
     const QStringList labels{tr("Character"), tr("Mesh"),   tr("Up, unit"),
                              tr("Rate"),      tr("Frames"), tr("Textures")};
-    const QList<QWidget*> fields{m_character, m_mesh, m_axes, m_fps, m_first, m_texture};
+    const QList<QWidget*> fields{m_character, m_mesh, m_axes, m_fps, m_range, m_texture};
     for (int row = 0; row < labels.size(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
         label->setBuddy(fields[row]);
         fields[row]->setAccessibleName(labels[row]);
     }
-    m_last->setAccessibleName(tr("Last frame"));
     showProblems();
 }
 

@@ -13,12 +13,12 @@ class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSpinBox;
 class QToolButton;
 
 namespace quadrille {
 
 class AxesFields;
+class RangeField;
 class TakePreview;
 class TakeTable;
 class TextureField;
@@ -77,8 +77,7 @@ private:
     AxesFields* m_axes;
     QDoubleSpinBox* m_fps;
     QLabel* m_rateReason;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
+    RangeField* m_range;
     TextureField* m_texture;
     QPushButton* m_import;
     QPushButton* m_cancel;

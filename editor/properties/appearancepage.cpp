@@ -19,12 +19,12 @@ AppearancePage::AppearancePage(EditorContext& context)
                              "Whose textures are learned; its sequences are chosen anew with another one");
                      }})
     , m_form(new SettingForm)
-    , m_fields(*m_form, [this](const QString& what, const char* property, const auto& change) {
+    , m_fields(*m_form, [this](const QString& text, const char* property, const auto& change) {
         AppearanceEntry after =
             *findAppearance(EntryPage::context().document.project(), entryName().toStdString());
         change(after);
-        setAppearance(EntryPage::context().document, entryName(), tr("Set “%1”").arg(what),
-                      QLatin1String(property), std::move(after));
+        setAppearance(EntryPage::context().document, entryName(), text, QLatin1String(property),
+                      std::move(after));
     })
 {
     m_sequences = addFact("appearanceSequences", [] { return tr("Learned from"); });

@@ -51,7 +51,7 @@ void EntryPage::show(const QString& name)
     for (const CharacterEntry& entry : m_context.document.project().characters)
         m_character->addItem(QString::fromStdString(entry.name));
     m_character->setCurrentText(character());
-    setFieldVisible(m_character, m_character->count() > 1);
+    setRowVisible(m_character, m_character->count() > 1);
 }
 
 void EntryPage::retranslate()

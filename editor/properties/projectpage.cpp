@@ -6,48 +6,41 @@
 #include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
 #include "editor/fields/axesfields.h"
-#include "editor/fields/numberfield.h"
-
-#include <QDoubleSpinBox>
 
 namespace quadrille {
 
 ProjectPage::ProjectPage(EditorContext& context)
-    : m_context(context), m_fps(makeRateField()), m_axes(new AxesFields), m_cache(new QSpinBox)
+    : m_context(context)
+    , m_fields(*this, [this](const QString& /*text*/, const char* /*property*/, const auto& change) {
+        edit(change);
+    })
 {
-    m_cache->setRange(16, 1 << 20);
-    m_cache->setSingleStep(64);
-    m_cache->setKeyboardTracking(false);
-    addField(
-        "projectFps", [] { return tr("Rate"); }, m_fps,
-        [] {
-            return tr("Frames a second at which everything runs; sequences with another rate are resampled");
-        });
-    addField(
-        "projectAxes", [] { return tr("Axes"); }, m_axes,
-        [] { return tr("Up axis and unit that all sequences are converted to"); });
-    addField(
-        "projectCache", [] { return tr("Cache"); }, m_cache,
-        [] { return tr("Memory for frames and textures of this project"); });
+    m_fields.addNumber(
+        {"projectFps", [] { return tr("Rate"); },
+         [] {
+             return tr("Frames a second at which everything runs; sequences with another rate are resampled");
+         }},
+        &ProjectSettings::fps, rateLook("settings.fps"));
+    auto* axes = new AxesFields;
+    connect(axes, &AxesFields::edited, this,
+            [this, axes] { edit([axes](ProjectSettings& settings) { settings.axes = axes->axes(); }); });
+    m_fields.addOther({"projectAxes", [] { return tr("Axes"); },
+                       [] { return tr("Up axis and unit that all sequences are converted to"); }},
+                      axes, [axes](const ProjectSettings& settings) { axes->setAxes(settings.axes); });
+    m_fields.addNumber(
+        {"projectCache", [] { return tr("Cache"); },
+         [] { return tr("Memory for frames and textures of this project"); }},
+        &ProjectSettings::cacheMegabytes,
+        {.path = "settings.cache_megabytes", .step = 64, .decimals = 0, .unit = [] { return tr(" MB"); }});
     m_content = addFact("projectContent", [] { return tr("Holds"); });
     m_file = addFact("projectFile", [] { return tr("File"); });
-    connect(m_fps, &QDoubleSpinBox::valueChanged, this,
-            [this](double fps) { edit([&](ProjectSettings& settings) { settings.fps = fps; }); });
-    connect(m_axes, &AxesFields::edited, this,
-            [this] { edit([&](ProjectSettings& settings) { settings.axes = m_axes->axes(); }); });
-    connect(m_cache, &QSpinBox::valueChanged, this, [this](int megabytes) {
-        edit([&](ProjectSettings& settings) { settings.cacheMegabytes = megabytes; });
-    });
-    retranslate();
+    m_fields.retranslate();
 }
 
 void ProjectPage::show(const QString& /*name*/)
 {
     const Project& project = m_context.document.project();
-    const QSignalBlocker blocks[] = {QSignalBlocker(m_fps), QSignalBlocker(m_cache)};
-    m_fps->setValue(project.settings.fps);
-    m_axes->setAxes(project.settings.axes);
-    m_cache->setValue(static_cast<int>(project.settings.cacheMegabytes));
+    m_fields.show(project.settings);
     const QStringList parts{tr("%n characters", nullptr, static_cast<int>(project.characters.size())),
                             tr("%n sequences", nullptr, static_cast<int>(project.sequences.size())),
                             tr("%n exports", nullptr, static_cast<int>(project.exports.size()))};
@@ -66,8 +59,7 @@ void ProjectPage::edit(const std::function<void(ProjectSettings&)>& change)
 
 void ProjectPage::retranslate()
 {
-    m_fps->setSuffix(tr(" fps"));
-    m_cache->setSuffix(tr(" MB"));
+    m_fields.retranslate();
 }
 
 } // namespace quadrille

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/fields/fieldform.h"
 #include "editor/properties/propertyform.h"
-
-class QDoubleSpinBox;
-class QSpinBox;
+#include "model/project/document/project.h"
 
 namespace quadrille {
 
-class AxesFields;
 struct EditorContext;
-struct ProjectSettings;
 
 /// The settings of the project.
 class ProjectPage : public PropertyForm
@@ -29,9 +26,7 @@ private:
     void edit(const std::function<void(ProjectSettings&)>& change);
 
     EditorContext& m_context;
-    QDoubleSpinBox* m_fps;
-    AxesFields* m_axes;
-    QSpinBox* m_cache;
+    FieldForm<ProjectSettings, LabelForm> m_fields;
     QLabel* m_content;
     QLabel* m_file;
 };

@@ -6,14 +6,12 @@
 #include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/axesfields.h"
-#include "editor/fields/numberfield.h"
+#include "editor/fields/rangefield.h"
 #include "editor/fields/texturefield.h"
 #include "model/project/document/findentry.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
@@ -36,11 +34,9 @@ SequencePage::SequencePage(EditorContext& context)
     : m_context(context)
     , m_nameField(new QLineEdit)
     , m_character(new QComboBox)
-    , m_range(new QWidget)
-    , m_first(new QSpinBox)
-    , m_last(new QSpinBox)
-    , m_fps(makeRateField(true))
-    , m_hasAxes(new QComboBox)
+    , m_range(new RangeField("sequence"))
+    , m_fields(*this, [this](const QString& /*text*/, const char* /*property*/,
+                             const auto& change) { editSource(change); })
     , m_axes(new AxesFields)
     , m_texture(new TextureField)
     , m_jointAngles(new widgets::ElidedButton)
@@ -52,19 +48,7 @@ SequencePage::SequencePage(EditorContext& context)
 
 void SequencePage::makeFields()
 {
-    m_first->setObjectName(QStringLiteral("sequenceFirst"));
-    m_last->setObjectName(QStringLiteral("sequenceLast"));
-    auto* range = new QHBoxLayout(m_range);
-    range->setContentsMargins(0, 0, 0, 0);
-    range->setSpacing(4);
-    for (QSpinBox* field : {m_first, m_last}) {
-        field->setKeyboardTracking(false);
-        range->addWidget(field, 1);
-    }
-    m_range->setFocusProxy(m_first);
-    for (QComboBox* field : {m_character, m_hasAxes})
-        field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_hasAxes->addItems({QString(), QString()});
+    m_character->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_jointAngles->setMenu(new QMenu(m_jointAngles));
 
     addField(
@@ -77,15 +61,7 @@ void SequencePage::makeFields()
     addField(
         "sequenceRange", [] { return tr("Frames"); }, m_range,
         [] { return tr("First and last frame of the source that are used, from 0"); });
-    addField(
-        "sequenceFps", [] { return tr("Source rate"); }, m_fps,
-        [] { return tr("Frames a second of a source that names none; automatic is the project's rate"); });
-    addField(
-        "sequenceHasAxes", [] { return tr("Source axes"); }, m_hasAxes,
-        [] { return tr("Whether the source has other axes or another unit than metres with y up"); });
-    addField(
-        "sequenceAxes", [] { return QString(); }, m_axes,
-        [] { return tr("Up axis and unit of the source"); });
+    addSource();
     addField(
         "sequenceTexture", [] { return tr("Textures"); }, m_texture,
         [] {
@@ -98,6 +74,28 @@ void SequencePage::makeFields()
     m_notes = addFact("sequenceNotes", [] { return tr("Findings"); });
 }
 
+void SequencePage::addSource()
+{
+    const auto hasAxes = [](const SequenceEntry& entry) { return entry.sourceAxes.has_value(); };
+    m_fields.addNumber(
+        {"sequenceFps", [] { return tr("Source rate"); },
+         [] { return tr("Frames a second of a source that names none; automatic is the project's rate"); }},
+        &SequenceEntry::sourceFps, rateLook("sequence.source_fps", [] { return tr("automatic"); }));
+    m_fields.addChoice(
+        {"sequenceHasAxes", [] { return tr("Source axes"); },
+         [] { return tr("Whether the source has other axes or another unit than metres with y up"); }},
+        Lens<SequenceEntry, bool>{hasAxes,
+                                  [this](SequenceEntry& entry, bool has) {
+                                      entry.sourceAxes = has ? std::optional(m_axes->axes()) : std::nullopt;
+                                  }},
+        {[] { return tr("metres, y up"); }, [] { return tr("others", "axes"); }});
+    m_fields.addOther({"sequenceAxes", [] { return QString(); },
+                       [] { return tr("Up axis and unit of the source"); }, hasAxes},
+                      m_axes, [this](const SequenceEntry& entry) {
+                          m_axes->setAxes(entry.sourceAxes.value_or(CoordinateSystem{}));
+                      });
+}
+
 void SequencePage::connectFields()
 {
     ProjectDocument& document = m_context.document;
@@ -106,13 +104,10 @@ void SequencePage::connectFields()
     });
     connect(m_character, &QComboBox::textActivated, this,
             [this, &document](const QString& name) { setSequenceCharacter(document, m_name, name); });
-    connect(m_first, &QSpinBox::valueChanged, this, &SequencePage::editRange);
-    connect(m_last, &QSpinBox::valueChanged, this, &SequencePage::editRange);
-    connect(m_fps, &QDoubleSpinBox::valueChanged, this, [this, &document](double fps) {
-        setSequenceFps(document, m_name, fps > 0 ? std::optional(fps) : std::nullopt);
-    });
-    connect(m_hasAxes, &QComboBox::currentIndexChanged, this, &SequencePage::editAxes);
-    connect(m_axes, &AxesFields::edited, this, &SequencePage::editAxes);
+    connect(m_range, &RangeField::edited, this,
+            [this, &document] { setSequenceRange(document, m_name, m_range->range()); });
+    connect(m_axes, &AxesFields::edited, this,
+            [this] { editSource([this](SequenceEntry& entry) { entry.sourceAxes = m_axes->axes(); }); });
     connect(m_texture, &TextureField::chosen, this, [this, &document](const TextureReference& texture) {
         setSequenceTexture(document, m_name, texture);
     });
@@ -122,8 +117,6 @@ void SequencePage::show(const QString& name)
 {
     m_name = name;
     const SequenceEntry& entry = *m_context.document.sequence(name);
-    const QSignalBlocker blocks[] = {QSignalBlocker(m_first), QSignalBlocker(m_last), QSignalBlocker(m_fps),
-                                     QSignalBlocker(m_hasAxes)};
     showName(*m_nameField, name);
     const QString source = QString::fromStdString(entry.source);
     const QString clip = QString::fromStdString(entry.clip);
@@ -135,10 +128,7 @@ void SequencePage::show(const QString& name)
         m_character->addItem(QString::fromStdString(character.name));
     if (const CharacterEntry* own = m_context.document.characterOf(entry))
         m_character->setCurrentText(QString::fromStdString(own->name));
-    m_fps->setValue(entry.sourceFps.value_or(0));
-    m_hasAxes->setCurrentIndex(entry.sourceAxes.has_value() ? 1 : 0);
-    setFieldVisible(m_axes, entry.sourceAxes.has_value());
-    m_axes->setAxes(entry.sourceAxes.value_or(CoordinateSystem{}));
+    m_fields.show(entry);
     m_texture->setTexture(entry.texture, tr("automatic"));
     m_jointAngles->setText(entry.jointAngles.empty()
                                ? tr("none")
@@ -152,20 +142,13 @@ void SequencePage::showResultState(const SequenceEntry& entry)
 {
     const SequenceMedia::State* resultState = m_context.media.resultState(m_name);
     const bool isOpen = resultState != nullptr && resultState->whole.has_value();
-    m_first->setEnabled(isOpen);
-    m_last->setEnabled(isOpen);
+    m_range->setRange(entry.range, isOpen ? resultState->whole->frameCount() : 0);
     m_notes->clear();
     if (!isOpen) {
         const bool hasFailed = resultState != nullptr && resultState->error;
         m_length->setText(hasFailed ? breakable(describe(*resultState->error).oneLine()) : tr("opening…"));
         return;
     }
-    const auto last = static_cast<int>(resultState->whole->frameCount() - 1);
-    const FrameRange range = entry.range.value_or(FrameRange::all(last + 1));
-    m_first->setRange(0, static_cast<int>(range.last.value));
-    m_last->setRange(static_cast<int>(range.first.value), last);
-    m_first->setValue(static_cast<int>(range.first.value));
-    m_last->setValue(static_cast<int>(range.last.value));
     const MeshSequence& shown = resultState->sequence ? *resultState->sequence : *resultState->whole;
     m_length->setText(
         tr("%n frames, %1 s", nullptr, static_cast<int>(shown.frameCount()))
@@ -176,20 +159,15 @@ void SequencePage::showResultState(const SequenceEntry& entry)
     m_notes->setText(notes.isEmpty() ? tr("none", "findings") : breakable(notes.join(QLatin1Char('\n'))));
 }
 
-void SequencePage::editRange()
+void SequencePage::editSource(const std::function<void(SequenceEntry&)>& change)
 {
-    const SequenceMedia::State* resultState = m_context.media.resultState(m_name);
-    if (resultState == nullptr || !resultState->whole)
-        return;
-    const FrameRange range{FrameIndex(m_first->value()), FrameIndex(m_last->value())};
-    const bool isAll = range == FrameRange::all(resultState->whole->frameCount());
-    setSequenceRange(m_context.document, m_name, isAll ? std::nullopt : std::optional(range));
-}
-
-void SequencePage::editAxes()
-{
-    setSequenceAxes(m_context.document, m_name,
-                    m_hasAxes->currentIndex() == 1 ? std::optional(m_axes->axes()) : std::nullopt);
+    const SequenceEntry& before = *m_context.document.sequence(m_name);
+    SequenceEntry after = before;
+    change(after);
+    if (after.sourceFps != before.sourceFps)
+        setSequenceFps(m_context.document, m_name, after.sourceFps);
+    else
+        setSequenceAxes(m_context.document, m_name, after.sourceAxes);
 }
 
 void SequencePage::chooseJointAngles()
@@ -202,12 +180,7 @@ void SequencePage::chooseJointAngles()
 
 void SequencePage::retranslate()
 {
-    m_fps->setSuffix(tr(" fps"));
-    m_fps->setSpecialValueText(tr("automatic"));
-    m_hasAxes->setItemText(0, tr("metres, y up"));
-    m_hasAxes->setItemText(1, tr("others", "axes"));
-    m_last->setAccessibleName(tr("Last frame"));
-    m_first->setAccessibleName(tr("First frame"));
+    m_fields.retranslate();
     m_jointAngles->menu()->clear();
     m_jointAngles->menu()->addAction(tr("Choose…"), this, &SequencePage::chooseJointAngles);
     m_jointAngles->menu()->addAction(tr("None"), this,

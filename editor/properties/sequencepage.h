@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/fields/fieldform.h"
 #include "editor/properties/propertyform.h"
+#include "model/project/document/project.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLineEdit;
-class QSpinBox;
 class QPushButton;
 
 namespace quadrille {
 
 class AxesFields;
+class RangeField;
 class TextureField;
 struct EditorContext;
-struct SequenceEntry;
 
 /// A sequence: where it comes from, which of its frames are used, its rate, axes, textures and marks.
 class SequencePage : public PropertyForm
@@ -33,8 +33,8 @@ private:
     void makeFields();
     void connectFields();
     void showResultState(const SequenceEntry& entry);
-    void editRange();
-    void editAxes();
+    void addSource();
+    void editSource(const std::function<void(SequenceEntry&)>& change);
     void chooseJointAngles();
 
     EditorContext& m_context;
@@ -43,11 +43,8 @@ private:
     QLabel* m_source;
     QComboBox* m_character;
     QLabel* m_length;
-    QWidget* m_range;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
-    QDoubleSpinBox* m_fps;
-    QComboBox* m_hasAxes;
+    RangeField* m_range;
+    FieldForm<SequenceEntry, LabelForm> m_fields;
     AxesFields* m_axes;
     TextureField* m_texture;
     QPushButton* m_jointAngles;

@@ -163,14 +163,14 @@ private slots:
         dropRow("labelList", 0, 0);
         QCOMPARE(actions().size(), 1U);
         QCOMPARE(actions()[0].frames.label, "sway");
-        auto* repeat = test::find<QSpinBox>("actionRepeat");
+        auto* repeat = test::find<QDoubleSpinBox>("actionRepeat");
         repeat->setFocus();
         QTest::keyClick(repeat, Qt::Key_Up);
         QCOMPARE(actions()[0].repeat, 2);
         QVERIFY(board().cards()[0].badge.contains(QStringLiteral("2")));
         test::find<QCheckBox>("actionHasDuration")->click();
         QCOMPARE(actions()[0].duration, std::optional(3.0));
-        auto* share = test::find<QSpinBox>("actionShare");
+        auto* share = test::find<QDoubleSpinBox>("actionShare");
         QVERIFY(!share->isEnabled());
         test::find<QCheckBox>("actionHasDuration")->click();
         QCOMPARE(actions()[0].duration, std::optional<double>());

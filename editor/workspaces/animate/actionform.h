@@ -3,27 +3,21 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
+#include "editor/fields/fieldform.h"
 #include "model/project/document/animationentry.h"
-
-#include <QWidget>
-
-class QCheckBox;
-class QDoubleSpinBox;
-class QFormLayout;
-class QLabel;
-class QSpinBox;
 
 namespace quadrille {
 
-class SequenceMedia;
 class ProjectDocument;
+class RangeField;
+class SequenceMedia;
 
 namespace widgets {
 class RangeStrip;
 }
 
 /// Which frames an action plays, how often, and for how long. It changes nothing itself.
-class ActionForm : public QWidget
+class ActionForm : public LabelForm
 {
     Q_OBJECT
 
@@ -44,31 +38,24 @@ signals:
     void edited(const quadrille::ActionEntry& action, const QString& text, const QString& property,
                 quadrille::EditPhase phase);
 
+protected:
+    void retranslate() override;
+
 private:
-    void addRow(QLabel* label, QWidget* field);
-    void connectFields();
-    void retranslate();
-    void showRange();
-    void setRange(int first, int last, EditPhase phase);
-    void change(const QString& text, const QString& property, EditPhase phase = EditPhase::Final);
+    void addFrames();
+    void addPlaying();
+    void showFrames(const ActionEntry& action);
+    void setRange(const std::optional<FrameRange>& range, EditPhase phase);
 
     ProjectDocument& m_document;
     SequenceMedia& m_media;
     std::optional<ActionEntry> m_action;
-    QFormLayout* m_form;
+    FieldForm<ActionEntry, LabelForm> m_fields;
     QLabel* m_title;
-    QLabel* m_framesLabel;
-    QWidget* m_frames;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
+    RangeField* m_range;
     widgets::RangeStrip* m_strip;
-    QLabel* m_repeatLabel;
-    QSpinBox* m_repeat;
-    QCheckBox* m_hasDuration;
-    QDoubleSpinBox* m_duration;
-    QLabel* m_shareLabel;
-    QSpinBox* m_share;
-    bool m_isShowing = false;
+    QDoubleSpinBox* m_repeat = nullptr;
+    QDoubleSpinBox* m_share = nullptr;
 };
 
 } // namespace quadrille

@@ -8,10 +8,7 @@
 #include "editor/workspaces/animate/pathtool.h"
 #include "model/project/results/openanimation.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLocale>
-#include <QSignalBlocker>
 #include <array>
 
 namespace quadrille {
@@ -33,30 +30,48 @@ QString axisName(int axis)
 } // namespace
 
 PathForm::PathForm(PathTool& tool)
-    : m_tool(tool), m_curve(new QComboBox), m_space(new QComboBox), m_clearance(numberField(0, 2, 0.05))
+    : m_tool(tool), m_fields(*this, [this](const QString& text, const char* property, const auto& change) {
+        edit(text, property, change);
+    })
 {
-    m_curve->addItems({{}, {}, {}});
-    m_space->addItems({{}, {}});
-    addField(
-        "pathCurve", [] { return tr("Curve"); }, m_curve,
-        [] { return tr("How the path goes from point to point"); });
-    addField(
-        "pathSpace", [] { return tr("Leads"); }, m_space,
-        [] { return tr("Whether the heights of its points count, or it is seen from above"); });
-    addField(
-        "pathClearance", [] { return tr("Clearance"); }, m_clearance,
-        [] { return tr("The distance that the body’s centre keeps from obstacles"); });
+    m_fields.addChoice(
+        {"pathCurve", [] { return tr("Curve"); }, [] { return tr("How the path goes from point to point"); }},
+        &PathEntry::curve,
+        {[] { return tr("Smooth through points"); }, [] { return tr("Straight lines"); },
+         [] { return tr("Bézier with handles"); }});
+    m_fields.addChoice(
+        {"pathSpace", [] { return tr("Leads"); },
+         [] { return tr("Whether the heights of its points count, or it is seen from above"); }},
+        &PathEntry::inSpace, {[] { return tr("Over the ground"); }, [] { return tr("Through space"); }});
+    m_fields.addNumber({"pathClearance", [] { return tr("Clearance"); },
+                        [] { return tr("The distance that the body’s centre keeps from obstacles"); },
+                        [](const PathEntry& path) { return !path.obstacles.empty(); },
+                        [] { return tr("Change the clearance"); }},
+                       &PathEntry::clearance, lengthLook(tool, "path.clearance", 0, 0.05));
     m_length = addFact("pathLength", [] { return tr("Length"); });
     m_result = addFact("pathResult", [] { return tr("Deviation"); });
     m_result->setToolTip(tr("How far the body’s centre is from where it was to be"));
-    connect(m_curve, &QComboBox::activated, this,
-            [this](int index) { m_tool.setCurve(static_cast<PathCurve>(index)); });
-    connect(m_space, &QComboBox::activated, this, [this](int index) { m_tool.setInSpace(index == 1); });
-    connect(m_clearance, &QDoubleSpinBox::valueChanged, this, [this](double clearance) {
-        m_tool.edit(tr("Change the clearance"), QStringLiteral("path clearance"),
-                    [&](PathEntry& path) { path.clearance = clearance; });
-    });
-    show();
+    retranslate();
+}
+
+/// Points follow the kind of curve, and so does the path that is drawn next: that is the tool's.
+void PathForm::edit(const QString& text, const char* property, const PathTool::Edit& change)
+{
+    const PathEntry& before = shown();
+    PathEntry after = before;
+    change(after);
+    if (after.curve != before.curve)
+        m_tool.setCurve(after.curve);
+    else if (after.inSpace != before.inSpace)
+        m_tool.setInSpace(after.inSpace);
+    else if (m_tool.path() != nullptr)
+        m_tool.edit(text, QLatin1String(property), change);
+}
+
+const PathEntry& PathForm::shown() const
+{
+    const PathEntry* path = m_tool.path();
+    return path == nullptr ? m_tool.blank() : *path;
 }
 
 QString PathForm::resultText() const
@@ -72,44 +87,58 @@ QString PathForm::resultText() const
         .arg(centimetres(solution.meanDeviation), centimetres(solution.greatestDeviation));
 }
 
-void PathForm::show(const QString& /*name*/)
+void PathForm::refresh()
 {
-    m_curve->setItemText(0, tr("Smooth through points"));
-    m_curve->setItemText(1, tr("Straight lines"));
-    m_curve->setItemText(2, tr("Bézier with handles"));
-    m_space->setItemText(0, tr("Over the ground"));
-    m_space->setItemText(1, tr("Through space"));
-    setUnit(m_tool, {m_clearance});
-    const PathEntry* path = m_tool.path();
-    const PathEntry& shown = path == nullptr ? m_tool.blank() : *path;
-    m_curve->setCurrentIndex(static_cast<int>(shown.curve));
-    m_space->setCurrentIndex(shown.inSpace ? 1 : 0);
-    setValue(m_clearance, shown.clearance);
-    setFieldVisible(m_clearance, !shown.obstacles.empty());
+    m_fields.show(shown());
     m_length->setText(QStringLiteral("%1 %2").arg(lengthText(m_tool, m_tool.length()), unitOf(m_tool)));
     m_result->setText(resultText());
 }
 
+void PathForm::retranslate()
+{
+    m_fields.retranslate();
+    refresh();
+}
+
 ObstacleForm::ObstacleForm(PathTool& tool)
     : m_tool(tool)
-    , m_first(numberField(-1, 2, 0.1))
-    , m_second(numberField(-1, 2, 0.1))
-    , m_radius(numberField(0.01, 2, 0.05))
+    , m_fields(*this, [this](const QString& text, const char* /*property*/, const auto& change) {
+        if (obstacle() == nullptr)
+            return;
+        m_tool.edit(text, QStringLiteral("path obstacle %1").arg(m_obstacle),
+                    [&](PathEntry& path) { change(path.obstacles[static_cast<std::size_t>(m_obstacle)]); });
+    })
 {
-    addField(
-        "obstacleFirst", [this] { return tr("Middle %1").arg(axisName(groundAxes(m_tool)[0])); }, m_first,
-        [] { return tr("Where the middle of the obstacle is on the ground"); });
-    addField(
-        "obstacleSecond", [this] { return tr("Middle %1").arg(axisName(groundAxes(m_tool)[1])); }, m_second,
-        [] { return tr("Where the middle of the obstacle is on the ground"); });
-    addField(
-        "obstacleRadius", [] { return tr("Radius"); }, m_radius, [] { return tr("Of the disc"); });
-    connect(m_first, &QDoubleSpinBox::valueChanged, this, [this](double to) { move(0, to); });
-    connect(m_second, &QDoubleSpinBox::valueChanged, this, [this](double to) { move(1, to); });
-    connect(m_radius, &QDoubleSpinBox::valueChanged, this, [this](double radius) {
-        edit(tr("Change the radius of an obstacle"),
-             [radius](ObstacleEntry& obstacle) { obstacle.radius = radius; });
-    });
+    addMiddle("obstacleFirst", 0);
+    addMiddle("obstacleSecond", 1);
+    m_fields.addNumber({"obstacleRadius", [] { return tr("Radius"); }, [] { return tr("Of the disc"); },
+                        &ObstacleEntry::isDisc, [] { return tr("Change the radius of an obstacle"); }},
+                       &ObstacleEntry::radius, lengthLook(tool, "obstacle.radius", 0.01, 0.05));
+}
+
+void ObstacleForm::addMiddle(const char* name, int axis)
+{
+    const auto middle = [axis](const ObstacleEntry& obstacle) {
+        double sum = 0;
+        for (const Vec2d& corner : obstacle.corners)
+            sum += corner[axis];
+        return sum / static_cast<double>(obstacle.corners.size());
+    };
+    m_fields.addNumber(
+        {name,
+         [this, axis] {
+             return tr("Middle %1").arg(axisName(groundAxes(m_tool)[static_cast<std::size_t>(axis)]));
+         },
+         [] { return tr("Where the middle of the obstacle is on the ground"); },
+         {},
+         [] { return tr("Move an obstacle"); }},
+        Lens<ObstacleEntry, double>{middle,
+                                    [=](ObstacleEntry& obstacle, double to) {
+                                        const double way = to - middle(obstacle);
+                                        for (Vec2d& corner : obstacle.corners)
+                                            corner[axis] += way;
+                                    }},
+        lengthLook(m_tool, nullptr, -1, 0.1));
 }
 
 const ObstacleEntry* ObstacleForm::obstacle() const
@@ -120,45 +149,19 @@ const ObstacleEntry* ObstacleForm::obstacle() const
     return isThere ? &path->obstacles[static_cast<std::size_t>(m_obstacle)] : nullptr;
 }
 
-void ObstacleForm::edit(const QString& text, const std::function<void(ObstacleEntry&)>& edit)
+void ObstacleForm::showObstacle(int index)
 {
-    if (obstacle() == nullptr)
-        return;
-    m_tool.edit(text, QStringLiteral("path obstacle %1").arg(m_obstacle),
-                [&](PathEntry& path) { edit(path.obstacles[static_cast<std::size_t>(m_obstacle)]); });
-}
-
-void ObstacleForm::move(int axis, double to)
-{
-    edit(tr("Move an obstacle"), [&](ObstacleEntry& obstacle) {
-        double middle = 0;
-        for (const Vec2d& corner : obstacle.corners)
-            middle += corner[axis] / static_cast<double>(obstacle.corners.size());
-        for (Vec2d& corner : obstacle.corners)
-            corner[axis] += to - middle;
-    });
-}
-
-void ObstacleForm::showObstacle(int obstacle)
-{
-    m_obstacle = obstacle;
-    show();
-}
-
-void ObstacleForm::show(const QString& /*name*/)
-{
+    m_obstacle = index;
     const ObstacleEntry* shown = obstacle();
     setVisible(shown != nullptr);
-    if (shown == nullptr)
-        return;
-    setUnit(m_tool, {m_first, m_second, m_radius});
-    Vec2d middle = Vec2d::Zero();
-    for (const Vec2d& corner : shown->corners)
-        middle += corner / static_cast<double>(shown->corners.size());
-    setValue(m_first, middle.x());
-    setValue(m_second, middle.y());
-    setFieldVisible(m_radius, shown->isDisc());
-    setValue(m_radius, shown->radius);
+    if (shown != nullptr)
+        m_fields.show(*shown);
+}
+
+void ObstacleForm::retranslate()
+{
+    m_fields.retranslate();
+    showObstacle(m_obstacle);
 }
 
 } // namespace quadrille

@@ -2,44 +2,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/properties/propertyform.h"
+#include "editor/fields/fieldform.h"
+#include "editor/workspaces/animate/pathtool.h"
 #include "model/project/document/animationentry.h"
-
-class QComboBox;
-class QDoubleSpinBox;
-class QSpinBox;
 
 namespace quadrille {
 
-class PathTool;
-
 /// What concerns a path as a whole.
-class PathForm : public PropertyForm
+class PathForm : public LabelForm
 {
     Q_OBJECT
 
 public:
     explicit PathForm(PathTool& tool);
 
-    void show(const QString& name = {}) override;
-    using PropertyForm::setFieldVisible;
+    void refresh();
 
 protected:
-    void retranslate() override { show(); }
+    void retranslate() override;
 
 private:
+    void edit(const QString& text, const char* property, const PathTool::Edit& change);
+    const PathEntry& shown() const;
     QString resultText() const;
 
     PathTool& m_tool;
-    QComboBox* m_curve;
-    QComboBox* m_space;
-    QDoubleSpinBox* m_clearance;
+    FieldForm<PathEntry, LabelForm> m_fields;
     QLabel* m_length = nullptr;
     QLabel* m_result = nullptr;
 };
 
 /// What is asked of one span of a path.
-class SpanForm : public PropertyForm
+class SpanForm : public LabelForm
 {
     Q_OBJECT
 
@@ -47,34 +41,27 @@ public:
     explicit SpanForm(PathTool& tool);
 
     void showSpan(int span);
-    void show(const QString& name = {}) override;
+    void refresh();
 
 protected:
-    void retranslate() override { show(); }
+    void retranslate() override;
 
 private:
+    void addFrames();
+    void addEnds();
+    void addTimes();
     const PathSpanEntry* span() const;
     void edit(const QString& text, const char* property, const std::function<void(PathSpanEntry&)>& edit);
-    void fillFrames();
-    void chooseFrames(int index);
-    void chooseRange();
     QString obtainedText() const;
 
     PathTool& m_tool;
+    FieldForm<PathSpanEntry, LabelForm> m_fields;
     int m_span = -1;
-    QComboBox* m_frames;
-    QWidget* m_range;
-    QSpinBox* m_first;
-    QSpinBox* m_last;
-    QDoubleSpinBox* m_from;
-    QDoubleSpinBox* m_to;
-    QDoubleSpinBox* m_duration;
-    QDoubleSpinBox* m_speed;
     QLabel* m_obtained = nullptr;
 };
 
 /// Where one obstacle is.
-class ObstacleForm : public PropertyForm
+class ObstacleForm : public LabelForm
 {
     Q_OBJECT
 
@@ -82,21 +69,17 @@ public:
     explicit ObstacleForm(PathTool& tool);
 
     void showObstacle(int obstacle);
-    void show(const QString& name = {}) override;
 
 protected:
-    void retranslate() override { show(); }
+    void retranslate() override;
 
 private:
+    void addMiddle(const char* name, int axis);
     const ObstacleEntry* obstacle() const;
-    void edit(const QString& text, const std::function<void(ObstacleEntry&)>& edit);
-    void move(int axis, double to);
 
     PathTool& m_tool;
+    FieldForm<ObstacleEntry, LabelForm> m_fields;
     int m_obstacle = -1;
-    QDoubleSpinBox* m_first;
-    QDoubleSpinBox* m_second;
-    QDoubleSpinBox* m_radius;
 };
 
 } // namespace quadrille

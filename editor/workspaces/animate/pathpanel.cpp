@@ -80,8 +80,8 @@ PathPanel::PathPanel(PathTool& tool, QWidget* parent)
     connectLists();
     connect(&tool, &PathTool::changed, this, &PathPanel::refresh);
     connect(&tool.animation(), &CurrentAnimation::resultChanged, this, [this] {
-        m_form->show();
-        m_span->show();
+        m_form->refresh();
+        m_span->refresh();
     });
     connect(&tool.editor(), &widgets::PathEditor::selectionChanged, this, &PathPanel::refreshSelection);
     retranslates(this, [this] { retranslate(); });
@@ -192,7 +192,7 @@ void PathPanel::refresh()
     m_pages->setCurrentIndex(hasPath ? 1 : 0);
     m_draw->setEnabled(
         m_tool.animation().context().actions.action(QStringLiteral("animate.path.draw"))->isEnabled());
-    m_form->show();
+    m_form->refresh();
     m_points->refresh();
     fillSpans();
     fillObstacles();

@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/pathpoints.h"
 
 #include "editor/context/editorcontext.h"
+#include "editor/fields/numberfield.h"
 #include "editor/fields/ownkeys.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
@@ -18,6 +19,7 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
+#include <cmath>
 
 namespace quadrille {
 
@@ -36,15 +38,15 @@ public:
 
     QString displayText(const QVariant& value, const QLocale& locale) const override
     {
-        constexpr int millimetres = 3; // decimals of metres
         const widgets::Ruler ruler(settingsOf(m_tool).axes.metresPerUnit);
         return locale.toString(value.toDouble(), 'f', ruler.decimals(millimetres));
     }
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                           const QModelIndex& /*index*/) const override
     {
-        QDoubleSpinBox* field = numberField(-1, 3, 0.1);
-        setUnit(m_tool, {field});
+        const NumberLook look = lengthLook(m_tool, nullptr, -1, 0.1, millimetres);
+        QDoubleSpinBox* field = makeNumberField(look);
+        showInUnit(*field, look);
         field->setSuffix({});
         field->setParent(parent);
         field->setFrame(false);
@@ -54,12 +56,14 @@ public:
     {
         auto* field = static_cast<QDoubleSpinBox*>(editor);
         field->interpretText();
-        const double before = index.data(Qt::EditRole).toDouble();
-        if (const double value = valueOf(field, before); value != before)
-            model->setData(index, value, Qt::EditRole);
+        // The decimals that a field does not show are not lost where nothing is typed.
+        const double halfStep = 0.5 * std::pow(10.0, -field->decimals());
+        if (std::abs(field->value() - index.data(Qt::EditRole).toDouble()) > halfStep * (1 + 1e-9))
+            model->setData(index, field->value(), Qt::EditRole);
     }
 
 private:
+    static constexpr int millimetres = 3; ///< decimals of metres
     const PathTool& m_tool;
 };
 

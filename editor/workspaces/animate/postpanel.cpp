@@ -22,8 +22,8 @@ PostPanel::PostPanel(CurrentAnimation& animation, QWidget* parent)
     : QWidget(parent)
     , m_animation(animation)
     , m_form(new SettingForm)
-    , m_fields(*m_form, [this](const QString& what, const char* property,
-                               const Edit& edit) { change(what, property, edit); })
+    , m_fields(*m_form, [this](const QString& text, const char* property,
+                               const Edit& edit) { change(text, property, edit); })
     , m_scroll(verticalScroll(m_form))
     , m_empty(new QWidget)
     , m_emptyText(new QLabel)
@@ -82,10 +82,10 @@ double PostPanel::clipSeconds() const
     return result == nullptr ? 0 : static_cast<double>(result->framesBeforeRetime) / fps();
 }
 
-void PostPanel::change(const QString& what, const char* property, const Edit& edit, EditPhase phase)
+void PostPanel::change(const QString& text, const char* property, const Edit& edit, EditPhase phase)
 {
     if (!m_fields.isShowing() && m_animation.entry() != nullptr)
-        m_animation.edit(tr("Set “%1”").arg(what), QLatin1String(property), edit, phase);
+        m_animation.edit(text, QLatin1String(property), edit, phase);
 }
 
 void PostPanel::refresh()

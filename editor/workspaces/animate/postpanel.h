@@ -59,7 +59,7 @@ private:
     QString problemOfRepeats(const AnimationEntry& entry) const;
     void refreshCurve(const AnimationEntry& entry);
     void chooseSymmetry();
-    void change(const QString& what, const char* property, const Edit& edit,
+    void change(const QString& text, const char* property, const Edit& edit,
                 EditPhase phase = EditPhase::Final);
     /// How long the clip lasts before it is retimed, seconds.
     double clipSeconds() const;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "editor/context/editorcontext.h"
+#include "editor/fields/rangefield.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathforms.h"
@@ -8,81 +9,157 @@
 #include "model/project/results/openanimation.h"
 #include "widgets/theme/icons.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLocale>
-#include <QSignalBlocker>
 #include <algorithm>
+#include <set>
 
 namespace quadrille {
 
-SpanForm::SpanForm(PathTool& tool)
-    : m_tool(tool)
-    , m_frames(new QComboBox)
-    , m_range(new QWidget)
-    , m_first(new QSpinBox)
-    , m_last(new QSpinBox)
-    , m_from(numberField(0, 2, 0.1))
-    , m_to(numberField(0.01, 2, 0.1))
-    , m_duration(numberField(0, 2, 0.1))
-    , m_speed(numberField(0, 2, 0.1))
+namespace {
+
+double metresOf(const PathTool& tool, const PathSpanEntry& span)
 {
-    m_frames->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_frames->setMinimumContentsLength(8);
-    m_first->setObjectName(QStringLiteral("spanFirst"));
-    m_last->setObjectName(QStringLiteral("spanLast"));
-    auto* range = new QHBoxLayout(m_range);
-    range->setContentsMargins(0, 0, 0, 0);
-    range->setSpacing(4);
-    for (QSpinBox* field : {m_first, m_last}) {
-        field->setKeyboardTracking(false);
-        range->addWidget(field, 1);
-        connect(field, &QSpinBox::valueChanged, this, &SpanForm::chooseRange);
-    }
-    m_range->setFocusProxy(m_first);
-    addField(
-        "spanFrames", [] { return tr("Show"); }, m_frames,
-        [] { return tr("The only frames that may be played there: those with a label, or of a sequence"); });
-    addField(
-        "spanRange", [] { return tr("Frames"); }, m_range,
-        [] { return tr("First and last frame of the sequence that may be played"); });
-    addField(
-        "spanFrom", [] { return tr("From"); }, m_from,
-        [] { return tr("Where the span begins, along the path"); });
-    addField(
-        "spanTo", [] { return tr("To"); }, m_to, [] { return tr("Where the span ends, along the path"); });
-    addField(
-        "spanDuration", [] { return tr("Lasts"); }, m_duration,
-        [] { return tr("How long the span is to take; 0: as long as it takes"); });
-    addField(
-        "spanSpeed", [] { return tr("Speed"); }, m_speed,
-        [] { return tr("How fast the body is to go there; 0: as fast as it goes"); });
+    return (span.to - span.from) * settingsOf(tool).axes.metresPerUnit;
+}
+
+bool isOfTake(const PathSpanEntry& span)
+{
+    return span.frames && !span.frames->sequence.empty();
+}
+
+using Frames = std::optional<FrameChoice>;
+
+/// Any frames, labels, sequences; and what is chosen, be it a label that no sequence has any more.
+std::vector<FieldItem<Frames>> framesFor(const Project& project, const Frames& chosen)
+{
+    std::vector<FieldItem<Frames>> items{{SpanForm::tr("Any frames"), {}}};
+    std::set<QString, std::less<>> labels;
+    for (const SequenceEntry& sequence : project.sequences)
+        for (const LabelSpan& span : sequence.labels)
+            labels.insert(QString::fromStdString(span.label));
+    for (const QString& label : labels)
+        items.push_back({label, FrameChoice{.label = label.toStdString()},
+                         widgets::icons::icon(QStringLiteral("label"))});
+    for (const SequenceEntry& sequence : project.sequences)
+        items.push_back({QString::fromStdString(sequence.name), FrameChoice{.sequence = sequence.name},
+                         widgets::icons::icon(QStringLiteral("sequence"))});
+    if (std::ranges::find(items, chosen, &FieldItem<Frames>::value) == items.end())
+        items.push_back(
+            {SpanForm::tr("%1 (missing)")
+                 .arg(QString::fromStdString(chosen->label.empty() ? chosen->sequence : chosen->label)),
+             chosen});
+    return items;
+}
+
+Frames withoutRange(Frames frames)
+{
+    if (frames)
+        frames->range.reset();
+    return frames;
+}
+
+} // namespace
+
+SpanForm::SpanForm(PathTool& tool)
+    : m_tool(tool), m_fields(*this, [this](const QString& text, const char* property, const auto& change) {
+        edit(text, property, change);
+    })
+{
+    addFrames();
+    addEnds();
+    addTimes();
     m_obtained = addFact("spanObtained", [] { return tr("Result"); });
-    connect(m_frames, &QComboBox::activated, this, &SpanForm::chooseFrames);
-    const auto ends = [this] {
-        edit(tr("Move the end of a span"), "ends", [this](PathSpanEntry& span) {
-            // The shown length of the path, or more, stands for its end.
-            const double shortest = 0.01 / settingsOf(m_tool).axes.metresPerUnit;
-            const double end = m_tool.length();
-            span.from = std::clamp(valueOf(m_from, span.from), 0.0, std::max(0.0, end - shortest));
-            span.to = std::max(std::min(valueOf(m_to, span.to), end), std::min(span.from + shortest, end));
+    m_fields.retranslate();
+}
+
+void SpanForm::addFrames()
+{
+    const auto history = [] { return tr("Choose the frames of a span"); };
+    m_fields.addItems(
+        {"spanFrames",
+         [] { return tr("Show"); },
+         [] { return tr("The only frames that may be played there: those with a label, or of a sequence"); },
+         {},
+         history},
+        Lens<PathSpanEntry, Frames>{
+            [](const PathSpanEntry& span) { return withoutRange(span.frames); },
+            [](PathSpanEntry& span, Frames frames) { span.frames = std::move(frames); }},
+        [this](const PathSpanEntry& span) {
+            return framesFor(m_tool.animation().context().document.project(), withoutRange(span.frames));
         });
-        show();
+    auto* range = new RangeField("span");
+    connect(range, &RangeField::edited, this, [this, range, history] {
+        edit(history(), "spanRange", [range](PathSpanEntry& span) { span.frames->range = range->range(); });
+    });
+    m_fields.addOther(
+        {"spanRange", [] { return tr("Frames"); },
+         [] { return tr("First and last frame of the sequence that may be played"); }, isOfTake},
+        range, [this, range](const PathSpanEntry& span) {
+            if (!isOfTake(span))
+                return;
+            const MeshSequence* sequence =
+                m_tool.animation().context().media.sequence(QString::fromStdString(span.frames->sequence));
+            range->setRange(span.frames->range, sequence == nullptr ? 0 : sequence->frameCount());
+        });
+}
+
+void SpanForm::addEnds()
+{
+    // The shown length of the path, or more, stands for its end; each end moves the other where it has to.
+    const auto set = [this](PathSpanEntry& span, double from, double to) {
+        const double shortest = 0.01 / settingsOf(m_tool).axes.metresPerUnit;
+        const double end = m_tool.length();
+        span.from = std::clamp(from, 0.0, std::max(0.0, end - shortest));
+        span.to = std::max(std::min(to, end), std::min(span.from + shortest, end));
     };
-    connect(m_from, &QDoubleSpinBox::valueChanged, this, ends);
-    connect(m_to, &QDoubleSpinBox::valueChanged, this, ends);
-    connect(m_duration, &QDoubleSpinBox::valueChanged, this, [this](double seconds) {
-        edit(tr("Change how long a span takes"), "duration", [seconds](PathSpanEntry& span) {
-            span.duration = seconds > 0 ? std::optional(seconds) : std::nullopt;
-        });
-    });
-    connect(m_speed, &QDoubleSpinBox::valueChanged, this, [this](double speed) {
-        edit(tr("Change the speed of a span"), "duration", [this, speed](PathSpanEntry& span) {
-            const double metres = (span.to - span.from) * settingsOf(m_tool).axes.metresPerUnit;
-            span.duration = speed > 0 ? std::optional(metres / speed) : std::nullopt;
-        });
-    });
+    const auto history = [] { return tr("Move the end of a span"); };
+    auto from = lensOf<PathSpanEntry>(&PathSpanEntry::from);
+    from.set = [set](PathSpanEntry& span, double length) { set(span, length, span.to); };
+    auto to = lensOf<PathSpanEntry>(&PathSpanEntry::to);
+    to.set = [set](PathSpanEntry& span, double length) { set(span, span.from, length); };
+    m_fields.addNumber({"spanFrom",
+                        [] { return tr("From"); },
+                        [] { return tr("Where the span begins, along the path"); },
+                        {},
+                        history},
+                       from, lengthLook(m_tool, "path_span.from", 0, 0.1));
+    m_fields.addNumber({"spanTo",
+                        [] { return tr("To"); },
+                        [] { return tr("Where the span ends, along the path"); },
+                        {},
+                        history},
+                       to, lengthLook(m_tool, "path_span.to", 0.01, 0.1));
+}
+
+void SpanForm::addTimes()
+{
+    m_fields.addNumber({"spanDuration",
+                        [] { return tr("Lasts"); },
+                        [] { return tr("How long the span is to take; 0: as long as it takes"); },
+                        {},
+                        [] { return tr("Change how long a span takes"); }},
+                       &PathSpanEntry::duration,
+                       {.path = "path_span.duration",
+                        .unit = [] { return tr(" s"); },
+                        .automatic = [] { return tr("any"); }});
+    using Speed = std::optional<double>;
+    m_fields.addNumber({"spanSpeed",
+                        [] { return tr("Speed"); },
+                        [] { return tr("How fast the body is to go there; 0: as fast as it goes"); },
+                        {},
+                        [] { return tr("Change the speed of a span"); }},
+                       Lens<PathSpanEntry, Speed>{
+                           [this](const PathSpanEntry& span) {
+                               return span.duration ? Speed(metresOf(m_tool, span) / *span.duration)
+                                                    : Speed();
+                           },
+                           [this](PathSpanEntry& span, Speed speed) {
+                               span.duration = speed ? Speed(metresOf(m_tool, span) / *speed) : Speed();
+                           }},
+                       {.path = nullptr,
+                        .unit = [] { return tr(" m/s"); },
+                        .automatic = [] { return tr("any"); },
+                        .lowest = 0.01});
 }
 
 const PathSpanEntry* SpanForm::span() const
@@ -99,62 +176,14 @@ void SpanForm::edit(const QString& text, const char* property,
         return;
     m_tool.edit(text, QStringLiteral("path span %1 %2").arg(m_span).arg(QLatin1String(property)),
                 [&](PathEntry& path) { edit(path.spans[static_cast<std::size_t>(m_span)]); });
+    // A field may ask for more than there is; then nothing changes, and it shows what is again.
+    refresh();
 }
 
 void SpanForm::showSpan(int span)
 {
     m_span = span;
-    show();
-}
-
-/// Any frames, labels, sequences; the data of an item tells which by "label" or "sequence".
-void SpanForm::fillFrames()
-{
-    const Project& project = m_tool.animation().context().document.project();
-    QStringList labels;
-    QStringList sequences;
-    for (const SequenceEntry& sequence : project.sequences) {
-        sequences += QString::fromStdString(sequence.name);
-        for (const LabelSpan& span : sequence.labels)
-            labels += QString::fromStdString(span.label);
-    }
-    labels.removeDuplicates();
-    labels.sort(Qt::CaseInsensitive);
-    m_frames->clear();
-    m_frames->addItem(tr("Any frames"), QStringList());
-    for (const QString& label : labels)
-        m_frames->addItem(widgets::icons::icon(QStringLiteral("label")), label,
-                          QStringList{QStringLiteral("label"), label});
-    for (const QString& sequence : sequences)
-        m_frames->addItem(widgets::icons::icon(QStringLiteral("sequence")), sequence,
-                          QStringList{QStringLiteral("sequence"), sequence});
-}
-
-void SpanForm::chooseFrames(int index)
-{
-    const QStringList chosen = m_frames->itemData(index).toStringList();
-    edit(tr("Choose the frames of a span"), "frames", [&](PathSpanEntry& span) {
-        span.frames.reset();
-        if (chosen.isEmpty())
-            return;
-        span.frames.emplace();
-        (chosen.front() == QLatin1String("label") ? span.frames->label : span.frames->sequence) =
-            chosen.back().toStdString();
-    });
-}
-
-void SpanForm::chooseRange()
-{
-    edit(tr("Choose the frames of a span"), "frames", [this](PathSpanEntry& span) {
-        if (!span.frames || span.frames->sequence.empty())
-            return;
-        const bool isAll = m_first->value() == m_first->minimum() && m_last->value() == m_last->maximum();
-        const std::int64_t first = m_first->value();
-        span.frames->range =
-            isAll ? std::nullopt
-                  : std::optional(FrameRange{FrameIndex(first),
-                                             FrameIndex(std::max<std::int64_t>(first, m_last->value()))});
-    });
+    refresh();
 }
 
 /// What the walk that is shown makes of the span.
@@ -167,56 +196,25 @@ QString SpanForm::obtainedText() const
         return QStringLiteral("–");
     const auto frames = static_cast<double>(result->walk.solution.spans[index].count());
     const double seconds = frames / settingsOf(m_tool).fps;
-    const PathSpanEntry& own = *span();
-    const double metres = (own.to - own.from) * settingsOf(m_tool).axes.metresPerUnit;
     return tr("%1 s, %2 m/s")
-        .arg(QLocale().toString(seconds, 'f', 2), QLocale().toString(metres / seconds, 'f', 2));
+        .arg(QLocale().toString(seconds, 'f', 2),
+             QLocale().toString(metresOf(m_tool, *span()) / seconds, 'f', 2));
 }
 
-void SpanForm::show(const QString& /*name*/)
+void SpanForm::refresh()
 {
     const PathSpanEntry* shown = span();
     setVisible(shown != nullptr);
     if (shown == nullptr)
         return;
-    setUnit(m_tool, {m_from, m_to});
-    m_duration->setSuffix(tr(" s"));
-    m_speed->setSuffix(tr(" m/s"));
-    m_duration->setSpecialValueText(tr("any"));
-    m_speed->setSpecialValueText(tr("any"));
-    setValue(m_from, shown->from);
-    setValue(m_to, shown->to);
-    setValue(m_duration, shown->duration.value_or(0));
-    const double metres = (shown->to - shown->from) * settingsOf(m_tool).axes.metresPerUnit;
-    setValue(m_speed, shown->duration ? metres / *shown->duration : 0);
     m_obtained->setText(obtainedText());
-    fillFrames();
-    QStringList wanted;
-    if (shown->frames && !shown->frames->label.empty())
-        wanted = {QStringLiteral("label"), QString::fromStdString(shown->frames->label)};
-    else if (shown->frames)
-        wanted = {QStringLiteral("sequence"), QString::fromStdString(shown->frames->sequence)};
-    int index = m_frames->findData(wanted);
-    if (index < 0) { // a label that no sequence has any more
-        m_frames->addItem(tr("%1 (missing)").arg(wanted.back()), wanted);
-        index = m_frames->count() - 1;
-    }
-    m_frames->setCurrentIndex(index);
-    const bool isSequence = shown->frames && !shown->frames->sequence.empty();
-    setFieldVisible(m_range, isSequence);
-    if (!isSequence)
-        return;
-    const EditorContext& context = m_tool.animation().context();
-    const MeshSequence* sequence = context.media.sequence(QString::fromStdString(shown->frames->sequence));
-    const int last = sequence == nullptr ? 999999 : static_cast<int>(sequence->frameCount()) - 1;
-    for (QSpinBox* field : {m_first, m_last}) {
-        const QSignalBlocker quiet(field);
-        field->setRange(0, std::max(0, last));
-        field->setValue(field == m_first ? 0 : last);
-        if (shown->frames->range)
-            field->setValue(static_cast<int>(field == m_first ? shown->frames->range->first.value
-                                                              : shown->frames->range->last.value));
-    }
+    m_fields.show(*shown);
+}
+
+void SpanForm::retranslate()
+{
+    m_fields.retranslate();
+    refresh();
 }
 
 } // namespace quadrille

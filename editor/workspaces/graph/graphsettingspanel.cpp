@@ -39,8 +39,8 @@ Lens<GraphEntry, std::optional<double>> windowEnd(double std::pair<double, doubl
 GraphSettingsPanel::GraphSettingsPanel(EditorContext& context, QWidget* parent)
     : SettingForm(parent)
     , m_context(context)
-    , m_fields(*this, [this](const QString& what, const char* property,
-                             const auto& change) { edit(tr("Set “%1”").arg(what), property, change); })
+    , m_fields(*this, [this](const QString& text, const char* property,
+                             const auto& change) { edit(text, property, change); })
     , m_published(new QPushButton)
 {
     setObjectName(QStringLiteral("graphSettingsPanel"));

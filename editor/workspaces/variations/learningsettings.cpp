@@ -21,9 +21,9 @@ LearningSettings::LearningSettings(CurrentVariation& variation, QWidget* parent)
     : QScrollArea(parent)
     , m_variation(variation)
     , m_form(new SettingForm)
-    , m_fields(*m_form, [this](const QString& what, const char* property, const auto& change) {
+    , m_fields(*m_form, [this](const QString& text, const char* property, const auto& change) {
         if (m_variation.entry() != nullptr)
-            m_variation.edit(tr("Set “%1”").arg(what), QLatin1String(property), change);
+            m_variation.edit(text, QLatin1String(property), change);
     })
 {
     setObjectName(QStringLiteral("learningSettings"));
