@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/controls/legendbar.h"
 #include "widgets/latent/latentviewprivate.h"
+#include "widgets/theme/plate.h"
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
@@ -12,29 +13,17 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr double plateOpacity = 0.86;
 constexpr double margin = 12; // logical pixels
 
-QColor plateColor()
+/// Moved to where it is seen.
+void paintInside(QPainter& painter, const QPointF& leftTop, const QString& text, const QRectF& inside)
 {
-    QColor color = Theme::color(ColorRole::Base);
-    color.setAlphaF(plateOpacity);
-    return color;
-}
-
-void paintPlate(QPainter& painter, const QPointF& leftTop, const QString& text, const QRectF& inside)
-{
-    const QFontMetricsF metrics(painter.font());
-    QRectF plate(leftTop, QSizeF(metrics.horizontalAdvance(text) + margin, metrics.height() + margin / 2));
+    QRectF plate(leftTop, labelSize(painter, text));
     plate.moveRight(std::min(plate.right(), inside.right()));
     plate.moveLeft(std::max(plate.left(), inside.left()));
     plate.moveBottom(std::min(plate.bottom(), inside.bottom()));
     plate.moveTop(std::max(plate.top(), inside.top()));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(plateColor());
-    painter.drawRoundedRect(plate, 4, 4);
-    painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(plate, Qt::AlignCenter, text);
+    paintLabel(painter, plate, text);
 }
 
 QVector3D between(const std::vector<QVector3D>& points, double frame)
@@ -197,9 +186,7 @@ void LatentView::paintPaths(QPainter& painter) const
         while (std::any_of(taken.begin(), taken.end(), isTaken))
             plate.translate(0, metrics.height() + 5);
         taken.push_back(plate);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(plateColor());
-        painter.drawRoundedRect(plate, 3, 3);
+        paintPlate(painter, plate, 3);
         painter.setBrush(path.color);
         painter.drawEllipse(QPointF(plate.left() + mark / 2 + 2, plate.center().y()), 4, 4);
         painter.setPen(Theme::color(ColorRole::Text));
@@ -213,13 +200,11 @@ void LatentView::paintTexts(QPainter& painter) const
     const QFontMetricsF metrics(painter.font());
     if (d->dimensions > 3) {
         const QString text = tr("The first three of %n dimensions", nullptr, d->dimensions);
-        paintPlate(painter, {inside.left(), inside.bottom() - metrics.height()}, text, inside);
+        paintInside(painter, {inside.left(), inside.bottom() - metrics.height()}, text, inside);
     }
     if (d->isConfidenceShown) {
         const QRectF plate = legendPlace(painter.font());
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(plateColor());
-        painter.drawRoundedRect(plate, 6, 6);
+        paintPlate(painter, plate, 6);
         paintLegend(painter, plate.adjusted(8, 8, -8, -8), d->range, Theme::color(ColorRole::Text));
     }
     if (!d->chosen)
@@ -228,7 +213,7 @@ void LatentView::paintTexts(QPainter& painter) const
         painter.setPen(QPen(Theme::color(ColorRole::Text), 1.5));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(*pixel, 8, 8);
-        paintPlate(painter, *pixel + QPointF(margin, margin), readOut(), inside);
+        paintInside(painter, *pixel + QPointF(margin, margin), readOut(), inside);
     }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/tools/toolpaint.h"
 
+#include "widgets/theme/plate.h"
 #include "widgets/theme/theme.h"
 
 #include <QPainter>
@@ -64,11 +65,7 @@ QRectF paintToolWords(QPainter& painter, const QPointF& at, const QString& text,
     QRectF plate =
         painter.boundingRect(QRectF(0.0, 0.0, widest, tallest), wrapped, text).adjusted(-6, -3, 6, 3);
     plate.moveCenter(at);
-    QColor background = Theme::color(ColorRole::Base);
-    background.setAlphaF(0.86F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(plate, 4.0, 4.0);
+    paintPlate(painter, plate);
     painter.setPen(Theme::color(ColorRole::Text));
     painter.drawText(plate.adjusted(2, 0, -2, 0), wrapped, text);
     return plate;

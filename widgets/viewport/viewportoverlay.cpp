@@ -3,6 +3,7 @@
 #include "widgets/viewport/viewportoverlay.h"
 
 #include "widgets/controls/legendbar.h"
+#include "widgets/theme/plate.h"
 #include "widgets/theme/theme.h"
 #include "widgets/viewport/labelplaces.h"
 
@@ -15,41 +16,19 @@ namespace quadrille::widgets {
 
 namespace {
 
-double markWidthOf(const QColor& mark)
+void paintCentred(QPainter& painter, const QPointF& center, const QString& text, const QColor& mark)
 {
-    return mark.isValid() ? 14.0 : 0.0;
-}
-
-QSizeF plateSize(const QPainter& painter, const QString& text, const QColor& mark)
-{
-    const QFontMetricsF metrics(painter.font());
-    return {metrics.horizontalAdvance(text) + 16.0 + markWidthOf(mark), metrics.height() + 6.0};
-}
-
-void paintPlate(QPainter& painter, const QPointF& center, const QString& text, const QColor& mark)
-{
-    const double markWidth = markWidthOf(mark);
-    QRectF plate(QPointF(), plateSize(painter, text, mark));
-    plate.moveCenter(center);
-    QColor background = Theme::color(ColorRole::Base);
-    background.setAlphaF(0.86F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(plate, 4.0, 4.0);
-    if (mark.isValid()) {
-        painter.setBrush(mark);
-        painter.drawEllipse(QPointF(plate.left() + 12.0, plate.center().y()), 4.0, 4.0);
-    }
-    painter.setPen(Theme::color(ColorRole::Text));
-    painter.drawText(plate.adjusted(8.0 + markWidth, 0.0, -8.0, 0.0), Qt::AlignCenter, text);
+    QRectF place(QPointF(), labelSize(painter, text, mark));
+    place.moveCenter(center);
+    paintLabel(painter, place, text, mark);
 }
 
 /// \return the lower end.
 double paintListed(QPainter& painter, double top, const Annotations::Name& name)
 {
     constexpr double left = 12.0;
-    const QSizeF size = plateSize(painter, name.text, name.color);
-    paintPlate(painter, QRectF(QPointF(left, top), size).center(), name.text, name.color);
+    const QSizeF size = labelSize(painter, name.text, name.color);
+    paintLabel(painter, QRectF(QPointF(left, top), size), name.text, name.color);
     return top + size.height();
 }
 
@@ -61,14 +40,14 @@ void paintNames(QPainter& painter, const QSizeF& size, const Annotations& annota
         QPointF pixel;
         if (!annotations.camera.project(name.place, size, &pixel))
             continue;
-        QRectF plate(QPointF(), plateSize(painter, name.text, name.color));
+        QRectF plate(QPointF(), labelSize(painter, name.text, name.color));
         plate.moveCenter(pixel - QPointF(0.0, 16.0));
         const auto isInTheWay = [&plate](const QRectF& other) { return plate.intersects(other); };
         auto other = std::ranges::find_if(placed, isInTheWay);
         for (; other != placed.end(); other = std::ranges::find_if(placed, isInTheWay))
             plate.moveBottom(other->top() - 2.0);
         placed.push_back(plate);
-        paintPlate(painter, plate.center(), name.text, name.color);
+        paintLabel(painter, plate, name.text, name.color);
     }
 }
 
@@ -106,13 +85,13 @@ void paintLabels(QPainter& painter, const QSizeF& size, const Annotations& annot
     for (const SceneLabel& label : annotations.labels) {
         if (!annotations.camera.project(label.place, size, &pixel))
             continue;
-        plates.push_back({pixel, plateSize(painter, label.text, label.color),
+        plates.push_back({pixel, labelSize(painter, label.text, label.color),
                           label.beside ? figures : std::vector<QRectF>()});
         seen.push_back(&label);
     }
     const std::vector<QRectF> places = placePlates(plates, std::move(handles), QRectF(QPointF(), size));
     for (std::size_t i = 0; i < places.size(); ++i)
-        paintPlate(painter, places[i].center(), seen[i]->text, seen[i]->color);
+        paintCentred(painter, places[i].center(), seen[i]->text, seen[i]->color);
 }
 
 void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& annotations)
@@ -138,8 +117,8 @@ void paintMeasurement(QPainter& painter, const QSizeF& size, const Annotations& 
         painter.drawEllipse(pixel, 4.5, 4.5);
     if (pixels.size() == 2) {
         const auto length = static_cast<double>((annotations.measured[1] - annotations.measured[0]).length());
-        paintPlate(painter, (pixels[0] + pixels[1]) / 2.0 - QPointF(0.0, 18.0),
-                   annotations.ruler.text(length), {});
+        paintCentred(painter, (pixels[0] + pixels[1]) / 2.0 - QPointF(0.0, 18.0),
+                     annotations.ruler.text(length), {});
     }
 }
 
@@ -152,11 +131,7 @@ void paintNotice(QPainter& painter, const QSizeF& size, const QString& text, Qt:
     const int flags = static_cast<int>(place | Qt::AlignHCenter) | Qt::TextWordWrap;
     QRectF plate = painter.boundingRect(inside, flags, text);
     plate.adjust(-16.0, -10.0, 16.0, 10.0);
-    QColor background = Theme::color(ColorRole::Base);
-    background.setAlphaF(0.86F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(plate, 6.0, 6.0);
+    paintPlate(painter, plate, 6.0);
     painter.setPen(Theme::color(ColorRole::Text));
     painter.drawText(inside, flags, text);
 }
@@ -188,11 +163,7 @@ void paintKey(QPainter& painter, const QSizeF& size, const ColorKey& key)
     constexpr double side = keySide;
     const double row = keyRow(QFontMetricsF(painter.font()));
     const QRectF plate = keyPlace(painter.font(), size, key);
-    QColor background = Theme::color(ColorRole::Base);
-    background.setAlphaF(0.86F);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(background);
-    painter.drawRoundedRect(plate, 6.0, 6.0);
+    paintPlate(painter, plate, 6.0);
     QRectF line(plate.topLeft() + QPointF(keyPadding, keyPadding),
                 QSizeF(plate.width() - 2.0 * keyPadding, row));
     painter.setPen(Theme::color(ColorRole::TextMuted));
