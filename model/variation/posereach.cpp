@@ -3,6 +3,7 @@
 #include "model/variation/posereach.h"
 
 #include "model/transition/nearestposes.h"
+#include "model/variation/posespread.h"
 #include "model/variation/samemovement.h"
 
 #include <algorithm>
@@ -12,9 +13,8 @@ namespace quadrille {
 
 namespace {
 
-/// Deviations of the worst frames from a mean one, and of a take alone from itself.
+/// Deviations of the worst frames from a mean one.
 constexpr double worstOfMean = 3;
-constexpr double reachOfOneTake = 0.15;
 
 /// Of the frames of a take the greatest distance from the nearest pose of some others.
 double farthest(const Movement& movement, std::size_t take, std::span<const std::size_t> takes,
@@ -46,7 +46,7 @@ std::vector<double> poseReaches(const Movement& movement, const Progress& progre
         const Progress own =
             progress.part(share * static_cast<double>(t), share * static_cast<double>(t + 1));
         if (group.size() < 2) {
-            reaches[t] = worstOfMean * reachOfOneTake * rangeOfMotion(movement.take(t));
+            reaches[t] = worstOfMean * shareOfOneTake * rangeOfMotion(movement.take(t));
             continue;
         }
         for (std::size_t i = 0; i < group.size(); ++i)

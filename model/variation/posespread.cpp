@@ -9,7 +9,6 @@ namespace quadrille {
 
 namespace {
 
-constexpr double shareOfOneTake = 0.15;
 /// Takes that are nearer to each other than this share of how far their frames are apart are the same.
 constexpr double leastShare = 1e-3;
 

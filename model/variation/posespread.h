@@ -22,6 +22,10 @@ struct PosedTrajectory
     double uncertainty = 0; ///< the greatest variance of a pose, as a share of that of an unknown one
 };
 
+/// A guess of how far takes of a movement of which there is one are apart: this share of how far its frames
+/// are.
+inline constexpr double shareOfOneTake = 0.15;
+
 /// Captured takes of one movement.
 struct SpreadGroup
 {
@@ -51,7 +55,7 @@ public:
     /// metres; 0 of fewer than three frames.
     double bending(const PosedTrajectory& trajectory) const;
     /// Between the captured takes of a group, the mean over groups by their shares. Where there is one, or
-    /// all are the same, 0.15 of how far its frames are apart.
+    /// all are the same, shareOfOneTake of how far its frames are apart.
     double reference() const { return m_reference; }
     /// Whether the reference is such a guess, in any group.
     bool isGuess() const { return m_isGuess; }
