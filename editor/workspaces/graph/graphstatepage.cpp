@@ -18,8 +18,9 @@ namespace quadrille {
 namespace {
 
 constexpr int progressWidth = 240;
-// Distances, costs, lengths, windows and turns of a pair of frames, and what a graph is computed with.
-constexpr double bytesPerPair = 56;
+// Of a pair of frames, as measured while a graph is computed: distances, costs, lengths and windows, and what
+// they are made with.
+constexpr double bytesPerPair = 28;
 
 double physicalBytes()
 {
