@@ -105,7 +105,7 @@ void LearningSettings::addStop()
                        of(&S::restarts), {.path = "learning.restarts", .step = 1, .decimals = 0});
     m_fields.addNumber({"learnSeed", [] { return tr("Seed"); },
                         [] { return tr("Of the restarts: the same seed learns the same"); }},
-                       of(&S::seed), {.path = "learning.seed", .step = 1, .decimals = 0, .highest = 999'999});
+                       of(&S::seed), {.path = "learning.seed", .step = 1, .decimals = 0});
     m_fields.addNumber({"learnTolerance", [] { return tr("Tolerance"); },
                         [] {
                             return tr(

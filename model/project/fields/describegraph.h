@@ -104,9 +104,7 @@ void describe(Fields& f, Type<EvaluationEntry>)
              "distance for appearance-interpolation (20), frames of each take for appearance-shape (10). Of "
              "fig17 and fig18: cameras around the body (4).",
          .limits = Limits::between(1, 100'000, "The count must be from 1 to 100000")});
-    f.field("seed", &E::seed,
-            {.help = "Of what is drawn.",
-             .limits = Limits::from(0, "The seed is below zero", "Write a whole number from 0.")});
+    f.as(Role::Seed, "seed", &E::seed, {.help = "Of what is drawn.", .limits = limits::seed});
     f.unknown(&E::unknown);
 }
 

@@ -42,6 +42,10 @@ inline constexpr Limits alpha =
     Limits::from(0, "Alpha is below zero", "Write 0.01, or more to favour short walks.");
 inline constexpr Limits length = Limits::from(0, nullptr);
 inline constexpr Limits count = Limits::from(0, nullptr);
+/// As far as a number of JSON is exact.
+inline constexpr Limits seed =
+    Limits::from(0, "The seed is below zero", "Write a whole number from 0.")
+        .upTo(9007199254740991.0, {"The seed is above 9007199254740991", "Write a smaller one."});
 
 constexpr Limits anHourFrom(const Limits& low)
 {

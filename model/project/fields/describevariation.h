@@ -76,7 +76,7 @@ void describe(Fields& f, Type<SamplesEntry>)
          {.help = "How many variations.",
           .need = Need::Always,
           .limits = limits::count.upTo(10'000, {"There are more than 10000 variations", ""})});
-    f.as(Role::Seed, "seed", &E::seed, {.need = Need::Always});
+    f.as(Role::Seed, "seed", &E::seed, {.need = Need::Always, .limits = limits::seed});
     f.field("discarded", &E::discarded,
             {.help = "Which variations of this set were thrown away, from 1.",
              .limits = Limits::from(1, nullptr)});
@@ -94,7 +94,7 @@ void describeLearning(Fields& f)
     f.as(Role::Count, "restarts", of(&S::restarts),
          {.help = "Starts beyond the first.",
           .limits = limits::count.upTo(100, {"There are more than 100 restarts", ""})});
-    f.as(Role::Seed, "seed", of(&S::seed));
+    f.as(Role::Seed, "seed", of(&S::seed), {.limits = limits::seed});
     f.field("tolerance", of(&S::tolerance),
             {.help = "Learning stops where the objective falls by less than this share.",
              .limits = Limits::above(0, "The tolerance is not above zero", "Write 1e-6, as usual.")});

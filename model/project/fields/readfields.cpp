@@ -211,7 +211,8 @@ private:
         using Number = typename Plain<Value>::Type;
         std::optional<double> number;
         if constexpr (isWhole<Number>)
-            number = m_reader.wholeNumber(key);
+            number = info.role == Role::Seed ? m_reader.wholeNumber(key, limits::seed.greatest + 1)
+                                             : m_reader.wholeNumber(key);
         else
             number = m_reader.number(key);
         if (!number)

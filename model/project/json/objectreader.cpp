@@ -74,13 +74,13 @@ std::optional<double> ObjectReader::number(std::string_view key) const
     return std::nullopt;
 }
 
-std::optional<std::int64_t> ObjectReader::wholeNumber(std::string_view key) const
+std::optional<std::int64_t> ObjectReader::wholeNumber(std::string_view key, double below) const
 {
     const Json* value = find(key);
     if (value == nullptr)
         return std::nullopt;
     if (value->is_number() && value->get<double>() == std::floor(value->get<double>()) &&
-        std::abs(value->get<double>()) < 2e9)
+        std::abs(value->get<double>()) < below)
         return static_cast<std::int64_t>(value->get<double>());
     wrongType(key, "a whole number");
     return std::nullopt;

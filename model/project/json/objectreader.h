@@ -35,7 +35,8 @@ public:
     std::string text(std::string_view key) const;
     std::string requiredText(std::string_view key) const;
     std::optional<double> number(std::string_view key) const;
-    std::optional<std::int64_t> wholeNumber(std::string_view key) const;
+    /// Above −\p below and below it; that must be 2⁵³ at most, up to which numbers of JSON are exact.
+    std::optional<std::int64_t> wholeNumber(std::string_view key, double below = 2e9) const;
     bool boolean(std::string_view key, bool fallback) const;
     /// [first, last]
     std::optional<FrameRange> range(std::string_view key) const;

@@ -135,6 +135,18 @@ TEST(Schema, KeysAreWrittenInTheirOrder)
             << definition;
 }
 
+TEST(Schema, LongSeedsAreReadToTheLastDigit)
+{
+    Project project = fullProject();
+    project.variations[0].samples[0].seed = 9007199254740991;
+    project.variations[0].learning.seed = 9007199254740990;
+    project.evaluations[0].seed = 3'000'000'001;
+    ProjectProblems problems;
+    const Project read = readDocument(projectToJson(project), problems);
+    EXPECT_EQ(read.variations, project.variations);
+    EXPECT_EQ(read.evaluations, project.evaluations);
+}
+
 /// What the reader says of a number just beyond a limit of the schema, and at it.
 TEST(Schema, LimitsAreThoseOfTheReader)
 {
@@ -205,6 +217,8 @@ TEST(Schema, AgreesWithTheReaderOnHandWrittenFiles)
         {R"(, "evaluations": [{"table": "fig4", "count": 5, "seed": 0}])", true},
         {R"(, "evaluations": [{"table": "fig4", "count": 0}])", false},
         {R"(, "evaluations": [{"table": "fig4", "count": 1.5}])", false},
+        {R"(, "evaluations": [{"table": "fig4", "seed": 9007199254740991}])", true},
+        {R"(, "evaluations": [{"table": "fig4", "seed": 9007199254740992}])", false},
         {R"(, "evaluations": [{"table": "fig4", "seed": -1}])", false},
         {R"(, "evaluations": [{"table": "fig4", "seed": "x"}])", false},
         {R"(, "evaluations": [{"table": "fig11", "sequences": [1, 2]}])", false},
