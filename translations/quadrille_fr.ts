@@ -2,6 +2,62 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
+    <name></name>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
+        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>Warps</source>
+        <translation>Déformations</translation>
+    </message>
+    <message>
+        <source>How many of the components are Eigen warps, which align textures</source>
+        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>How the way of each texel is found from texture to texture</source>
+        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
+    </message>
+    <message>
+        <source>TV-L1</source>
+        <translation>TV-L1</translation>
+    </message>
+    <message>
+        <source>Dense inverse search, quick</source>
+        <translation>Recherche inverse dense, rapide</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
+        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
+    </message>
+    <message>
+        <source>Learned from poses</source>
+        <translation>Apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Of captured frames</source>
+        <translation>D’images captées</translation>
+    </message>
+</context>
+<context>
     <name>Evaluation</name>
     <message>
         <source>Change of edges</source>
@@ -3020,10 +3076,6 @@
         <translation>Changer les poids d’un mélange</translation>
     </message>
     <message>
-        <source>Across from the first take</source>
-        <translation>En face de la première prise</translation>
-    </message>
-    <message>
         <source>The take across from the first: four takes make a square with two weights</source>
         <translation>La prise en face de la première&#xa0;: quatre prises font un carré à deux poids</translation>
     </message>
@@ -3069,12 +3121,12 @@
         <translation>rien&#xa0;: deux prises seules</translation>
     </message>
     <message>
-        <source>Vary a blend of two</source>
-        <translation>Varier un mélange de deux</translation>
-    </message>
-    <message>
         <source>Learn a square of blends</source>
         <translation>Apprendre un carré de mélanges</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>En face</translation>
     </message>
 </context>
 <context>
@@ -3834,47 +3886,6 @@
         <translation>Aucun modèle</translation>
     </message>
     <message>
-        <source>Components</source>
-        <translation>Composantes</translation>
-    </message>
-    <message>
-        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
-    </message>
-    <message>
-        <source>Warps</source>
-        <translation>Déformations</translation>
-    </message>
-    <message>
-        <source>How many of the components are Eigen warps, which align textures</source>
-        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <comment>percent</comment>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>Alignement</translation>
-    </message>
-    <message>
-        <source>How the way of each texel is found from texture to texture</source>
-        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
-    </message>
-    <message>
-        <source>TV-L1</source>
-        <translation>TV-L1</translation>
-    </message>
-    <message>
-        <source>Dense inverse search, quick</source>
-        <translation>Recherche inverse dense, rapide</translation>
-    </message>
-    <message>
-        <source>Set “%1”</source>
-        <translation>Régler « %1 »</translation>
-    </message>
-    <message>
         <source>Completing textures…</source>
         <translation>Les textures sont complétées…</translation>
     </message>
@@ -3919,22 +3930,6 @@
         <source>Not built yet</source>
         <translation>Pas encore construit</translation>
     </message>
-    <message>
-        <source>Variations</source>
-        <translation>Variations</translation>
-    </message>
-    <message>
-        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
-        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
-    </message>
-    <message>
-        <source>Learned from poses</source>
-        <translation>Apprises d’après les poses</translation>
-    </message>
-    <message>
-        <source>Of captured frames</source>
-        <translation>D’images captées</translation>
-    </message>
 </context>
 <context>
     <name>quadrille::AppearanceEdits</name>
@@ -3962,43 +3957,6 @@
         <translation>Complétées</translation>
     </message>
     <message>
-        <source>Components</source>
-        <translation>Composantes</translation>
-    </message>
-    <message>
-        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
-    </message>
-    <message>
-        <source>Warps</source>
-        <translation>Déformations</translation>
-    </message>
-    <message>
-        <source>How many of the components are Eigen warps, which align textures</source>
-        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <comment>percent</comment>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>Alignement</translation>
-    </message>
-    <message>
-        <source>How the way of each texel is found from texture to texture</source>
-        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
-    </message>
-    <message>
-        <source>TV-L1</source>
-        <translation>TV-L1</translation>
-    </message>
-    <message>
-        <source>Dense inverse search, quick</source>
-        <translation>Recherche inverse dense, rapide</translation>
-    </message>
-    <message>
         <source>Change the character of “%1”</source>
         <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
     </message>
@@ -4012,22 +3970,6 @@
             <numerusform>%n texture</numerusform>
             <numerusform>%n textures</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Variations</source>
-        <translation>Variations</translation>
-    </message>
-    <message>
-        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
-        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
-    </message>
-    <message>
-        <source>Learned from poses</source>
-        <translation>Apprises d’après les poses</translation>
-    </message>
-    <message>
-        <source>Of captured frames</source>
-        <translation>D’images captées</translation>
     </message>
 </context>
 <context>
@@ -8982,10 +8924,6 @@ maximal %2</translation>
 <context>
     <name>quadrille::PictureFields</name>
     <message>
-        <source>Size</source>
-        <translation>Taille</translation>
-    </message>
-    <message>
         <source>Background</source>
         <translation>Arrière-plan</translation>
     </message>
@@ -9064,6 +9002,10 @@ maximal %2</translation>
     <message>
         <source>The frame that the view shows looks the same in the film; otherwise the camera steps back until the figure fills the picture</source>
         <translation>L’image que montre la vue est la même dans le film&#xa0;; sinon, la caméra recule jusqu’à ce que la figure remplisse l’image</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
 </context>
 <context>
@@ -10843,10 +10785,6 @@ maximal %2</translation>
         <translation>La part de la seconde prise</translation>
     </message>
     <message>
-        <source>Weight in percent</source>
-        <translation>Poids en pour cent</translation>
-    </message>
-    <message>
         <source> %</source>
         <comment>percent</comment>
         <translation> %</translation>
@@ -10930,10 +10868,6 @@ maximal %2</translation>
         <source>%1 × %2</source>
         <extracomment>two pairs of takes at the corners of a square</extracomment>
         <translation>%1 × %2</translation>
-    </message>
-    <message>
-        <source>Across</source>
-        <translation>En face</translation>
     </message>
     <message>
         <source>The takes: %1</source>
@@ -11452,10 +11386,6 @@ maximal %2</translation>
 </context>
 <context>
     <name>quadrille::StatusJobs</name>
-    <message>
-        <source>Cancel all jobs</source>
-        <translation>Annuler toutes les tâches</translation>
-    </message>
     <message numerus="yes">
         <source>%1, and %n more</source>
         <translation>
@@ -11476,8 +11406,8 @@ maximal %2</translation>
         <translation>Lister les tâches en cours</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
+        <source>Cancel “%1”</source>
+        <translation>Annuler «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>

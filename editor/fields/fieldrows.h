@@ -16,7 +16,7 @@ namespace quadrille {
 QString historyText(QString label);
 
 /// The rows of a FieldForm, whatever their fields are: shows entries in them, and knows what is as usual.
-/// \tparam Form  SettingForm, or LabelForm, which has no way back to the usual value.
+/// \tparam Form  SettingForm, or one without a way back to the usual value: LabelForm, FieldBar.
 template <typename Entry, typename Form = SettingForm>
 class FieldRows
 {
@@ -33,7 +33,8 @@ public:
         Text tip;
         /// Whether it means anything; its row is hidden where not. Empty: always.
         std::function<bool(const Entry&)> isShown = {};
-        Text history = {}; ///< what the history calls an edit; empty: as historyText() of the label
+        Text history = {};         ///< what the history calls an edit; empty: as historyText() of the label
+        QWidget* beside = nullptr; ///< of a LabelForm: a button behind the field
     };
     /// \param form  rows are added to it; outlives this. \param edit  is called when the user changes a
     /// field, with a change of the entry to be made undoably.
@@ -46,7 +47,7 @@ public:
         if constexpr (hasReset)
             m_form.add(row.name, row.label, row.tip, field, reset);
         else
-            m_form.addField(row.name, row.label, field, row.tip);
+            m_form.addField(row.name, row.label, field, row.tip, row.beside);
         m_bindings.push_back({field, std::move(show), std::move(isUsual), std::move(row.isShown)});
     }
     /// The same of a form without a way back.
@@ -66,6 +67,11 @@ public:
             if constexpr (hasReset)
                 m_form.setUsual(binding.field, binding.isUsual(entry));
         }
+    }
+    void setEnabled(bool enabled)
+    {
+        for (const Binding& binding : m_bindings)
+            binding.field->setEnabled(enabled);
     }
     /// Whether fields change because of show(); nothing is edited then.
     bool isShowing() const { return m_isShowing; }

@@ -4,6 +4,9 @@
 
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <algorithm>
+#include <cassert>
 
 namespace quadrille {
 
@@ -15,18 +18,26 @@ LabelForm::LabelForm(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(
     m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
 }
 
-void LabelForm::addField(const char* objectName, Text label, QWidget* field, Text tip)
+void LabelForm::addField(const char* objectName, Text label, QWidget* field, Text tip, QWidget* beside)
 {
     field->setObjectName(QLatin1String(objectName));
+    QWidget* whole = field;
+    if (beside != nullptr) {
+        whole = new QWidget;
+        auto* row = new QHBoxLayout(whole);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->addWidget(field, 1);
+        row->addWidget(beside);
+    }
     QLabel* text = nullptr;
     if (label) {
         text = new QLabel;
         text->setBuddy(field);
-        m_form->addRow(text, field);
+        m_form->addRow(text, whole);
     } else {
-        m_form->addRow(field);
+        m_form->addRow(whole);
     }
-    m_rows.push_back({text, field, std::move(label), std::move(tip)});
+    m_rows.push_back({text, field, whole, std::move(label), std::move(tip)});
     retranslateRows();
 }
 
@@ -41,21 +52,24 @@ QLabel* LabelForm::addFact(const char* objectName, Text label)
 
 void LabelForm::addWide(const char* objectName, QWidget* field)
 {
-    field->setObjectName(QLatin1String(objectName));
-    m_form->addRow(field);
+    addField(objectName, {}, field, {});
 }
 
-void LabelForm::setRowVisible(QWidget* field, bool visible)
+void LabelForm::setRowVisible(const QWidget* field, bool visible)
 {
-    m_form->setRowVisible(field, visible);
+    const auto row = std::ranges::find(m_rows, field, &Row::field);
+    assert(row != m_rows.end());
+    m_form->setRowVisible(row->whole, visible);
 }
 
 void LabelForm::retranslateRows()
 {
     for (const Row& row : m_rows) {
         if (row.label != nullptr) {
-            row.label->setText(row.text());
-            row.field->setAccessibleName(row.text());
+            const QString text = row.text();
+            row.label->setText(text);
+            if (!text.isEmpty())
+                row.field->setAccessibleName(text);
         }
         if (row.tip) {
             row.field->setToolTip(row.tip());

@@ -24,13 +24,14 @@ public:
 
     /// The form owns the field.
     /// \param label  empty: the field says itself what it is, and is as wide as the form.
-    /// \param tip what the property does, in one sentence.
-    void addField(const char* objectName, Text label, QWidget* field, Text tip);
+    /// \param tip what the property does, in one sentence. \param beside  stands behind the field.
+    void addField(const char* objectName, Text label, QWidget* field, Text tip, QWidget* beside = nullptr);
     /// A value that is only read.
     QLabel* addFact(const char* objectName, Text label);
     /// A field without label, as wide as the form, which owns it.
     void addWide(const char* objectName, QWidget* field);
-    void setRowVisible(QWidget* field, bool visible);
+    /// \pre The field was added.
+    void setRowVisible(const QWidget* field, bool visible);
 
 protected:
     /// Called after the language changed.
@@ -42,6 +43,7 @@ private:
     {
         QLabel* label; ///< null where the field says itself what it is
         QWidget* field;
+        QWidget* whole; ///< the field, with what stands beside it
         Text text;
         Text tip;
     };

@@ -20,16 +20,18 @@ NumberFacts factsOf(std::string_view path)
 {
     static const Json definitions = projectSchema()["definitions"];
     const auto dot = path.find('.');
-    const Json& number = definitions.at(std::string(path.substr(0, dot)))
+    const Json& member = definitions.at(std::string(path.substr(0, dot)))
                              .at("properties")
                              .at(std::string(path.substr(dot + 1)));
+    // Where a word may stand for it, the number comes first.
+    const Json& number = member.contains("oneOf") ? member["oneOf"].front() : member;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     NumberFacts facts{.least = number.value("minimum", number.value("exclusiveMinimum", -infinity)),
                       .isAboveLeast = number.contains("exclusiveMinimum"),
                       .greatest = number.value("maximum", number.value("exclusiveMaximum", infinity)),
                       .usual = {}};
-    if (number.contains("default") && number["default"].is_number())
-        facts.usual = number["default"].get<double>();
+    if (member.contains("default") && member["default"].is_number())
+        facts.usual = member["default"].get<double>();
     return facts;
 }
 
@@ -71,11 +73,18 @@ bool isEmptyNumber(const NumberLook& look, double shown)
 
 QDoubleSpinBox* makeNumberField(const NumberLook& look)
 {
-    const double greatest = factsFor(look).greatest / look.scale;
+    constexpr double widest = 1e7; // what there is room for without asking for it
+    const double facts = factsFor(look).greatest / look.scale;
+    const double greatest = std::isfinite(facts) ? facts : look.highest;
+    const double lowest = look.automatic ? emptyNumber(look) : lowestOf(look);
     auto* field = look.trimsZeros ? new TrimmedField : new QDoubleSpinBox;
     field->setDecimals(look.decimals);
-    field->setRange(look.automatic ? emptyNumber(look) : lowestOf(look),
-                    std::isfinite(greatest) ? greatest : look.highest);
+    if (greatest > widest) {
+        // A seed may be long; a panel is not made wider for it.
+        field->setRange(lowest, widest);
+        field->setMinimumWidth(field->minimumSizeHint().width());
+    }
+    field->setRange(lowest, greatest);
     field->setSingleStep(look.step);
     field->setKeyboardTracking(false);
     field->setGroupSeparatorShown(true);

@@ -4,6 +4,7 @@
 
 #include "editor/commands/appearanceedits.h"
 #include "editor/context/editorcontext.h"
+#include "editor/fields/appearancefields.h"
 #include "model/project/document/findentry.h"
 
 namespace quadrille {
@@ -29,37 +30,12 @@ AppearancePage::AppearancePage(EditorContext& context)
 {
     m_sequences = addFact("appearanceSequences", [] { return tr("Learned from"); });
     m_completions = addFact("appearanceCompletions", [] { return tr("Completed"); });
-    addSettings();
+    addAppearanceFields(m_fields, {.components = "appearanceComponents",
+                                   .warps = "appearanceWarps",
+                                   .flow = "appearanceFlow",
+                                   .varied = "appearanceVaried"});
     addWide("appearanceSettings", m_form);
     retranslate();
-}
-
-void AppearancePage::addSettings()
-{
-    constexpr double hundredth = 0.01;
-    m_fields.addNumber({"appearanceComponents", [] { return tr("Components"); },
-                        [] { return tr("Of Eigen textures and Eigen warps together, at most; 1 to 1000"); }},
-                       &AppearanceEntry::components,
-                       {.path = "appearance.components", .step = 5, .decimals = 0});
-    m_fields.addNumber(
-        {"appearanceWarps", [] { return tr("Warps"); },
-         [] { return tr("How many of the components are Eigen warps, which align textures"); }},
-        &AppearanceEntry::warpShare,
-        {.path = "appearance.warp_share", .scale = hundredth, .step = 5, .decimals = 0, .unit = [] {
-             return tr(" %", "percent");
-         }});
-    m_fields.addChoice({"appearanceFlow", [] { return tr("Alignment"); },
-                        [] { return tr("How the way of each texel is found from texture to texture"); }},
-                       &AppearanceEntry::flow,
-                       {[] { return tr("TV-L1"); }, [] { return tr("Dense inverse search, quick"); }});
-    m_fields.addChoice(
-        {"appearanceVaried", [] { return tr("Variations"); },
-         [] {
-             return tr("What frames of variations take their textures from: their poses, as the model "
-                       "learned to vary with them, or the captured frames that they vary");
-         }},
-        &AppearanceEntry::varied,
-        {[] { return tr("Learned from poses"); }, [] { return tr("Of captured frames"); }});
 }
 
 QString AppearancePage::character() const

@@ -23,7 +23,6 @@ private:
     void setCharacter(const QString& character) override;
     void select() override;
     void retranslate() override;
-    void addSettings();
 
     QLabel* m_sequences = nullptr;
     QLabel* m_completions = nullptr;

@@ -207,8 +207,8 @@ private slots:
     {
         openDialog();
         choose("png");
-        test::find<QSpinBox>("pictureWidth")->setValue(4000);
-        test::find<QSpinBox>("pictureHeight")->setValue(4000);
+        test::find<QDoubleSpinBox>("pictureWidth")->setValue(4000);
+        test::find<QDoubleSpinBox>("pictureHeight")->setValue(4000);
         type(place("large/walk.png"));
         accept();
         QTRY_VERIFY(test::find<QProgressBar>("exportProgress")->isVisible());
@@ -268,8 +268,8 @@ private slots:
             if (!follows)
                 choose("png"); // the second time it is the format that was chosen last
             QVERIFY(test::find<QCheckBox>("pictureView")->isChecked());
-            test::find<QSpinBox>("pictureWidth")->setValue(64);
-            test::find<QSpinBox>("pictureHeight")->setValue(48);
+            test::find<QDoubleSpinBox>("pictureWidth")->setValue(64);
+            test::find<QDoubleSpinBox>("pictureHeight")->setValue(48);
             type(place(follows ? "following/walk.png" : "still/walk.png"));
             acceptAndClose();
 
@@ -293,10 +293,10 @@ private slots:
     {
         openDialog();
         choose("png");
-        auto* width = test::find<QSpinBox>("pictureWidth");
+        auto* width = test::find<QDoubleSpinBox>("pictureWidth");
         QVERIFY(width->isVisible());
         width->setValue(64);
-        test::find<QSpinBox>("pictureHeight")->setValue(48);
+        test::find<QDoubleSpinBox>("pictureHeight")->setValue(48);
         type(place("pictures/walk.png"));
         acceptAndClose();
         QCOMPARE(QImage(place("pictures/walk_0002.png")).size(), QSize(64, 48));

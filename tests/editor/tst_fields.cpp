@@ -94,7 +94,7 @@ private slots:
         open();
         QVERIFY(test::activate(*m_window));
         show("samplesPanel");
-        auto* count = test::find<QSpinBox>("sampleCount");
+        auto* count = test::find<QDoubleSpinBox>("sampleCount");
         QScrollArea* area = nullptr;
         for (QWidget* at = count; area == nullptr && at != nullptr; at = at->parentWidget())
             area = qobject_cast<QScrollArea*>(at);
@@ -116,7 +116,7 @@ private slots:
         open();
         QVERIFY(test::activate(*m_window));
         show("samplesPanel");
-        auto* count = test::find<QSpinBox>("sampleCount");
+        auto* count = test::find<QDoubleSpinBox>("sampleCount");
         count->setFocus();
         const int before = entry().samples[0].count;
         QTest::keyClick(count, Qt::Key_Up);

@@ -45,7 +45,7 @@ private slots:
         learn();
         show("samplesPanel");
         QTRY_COMPARE(scene().size(), 3);
-        test::find<QSpinBox>("sampleCount")->setValue(5);
+        test::find<QDoubleSpinBox>("sampleCount")->setValue(5);
         QCOMPARE(entry().samples[0].count, 5);
         QTRY_COMPARE(scene().size(), 5);
         auto* drawn = test::find<QTreeWidget>("drawnVariations");
@@ -180,6 +180,27 @@ private slots:
         QTRY_VERIFY(resultState().drawn != before);
         QVERIFY(test::waitForVariations(context(), "sways"));
         QCOMPARE(resultState().drawn->at(0).variations.size(), 3U);
+    }
+
+    void aSeedMayBeAsLongAsTheFileHasIt()
+    {
+        open();
+        show("samplesPanel");
+        auto* seed = test::find<QDoubleSpinBox>("sampleSeed");
+        for (const std::uint64_t typed : {std::uint64_t{3'000'000'001}, std::uint64_t{9007199254740991}}) {
+            seed->setFocus();
+            seed->selectAll();
+            QTest::keyClicks(seed, QString::number(typed));
+            QTest::keyClick(seed, Qt::Key_Return);
+            QCOMPARE(entry().samples[0].seed, typed);
+            QCOMPARE(static_cast<std::uint64_t>(seed->value()), typed);
+        }
+        action("variations.again")->trigger();
+        QCOMPARE(entry().samples[0].seed, std::uint64_t{9007199254740991});
+        document().undo();
+        QCOMPARE(entry().samples[0].seed, std::uint64_t{3'000'000'001});
+        action("variations.again")->trigger();
+        QCOMPARE(entry().samples[0].seed, std::uint64_t{3'000'000'002});
     }
 
     void aVariationBecomesASequence()

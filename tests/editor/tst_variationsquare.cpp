@@ -42,6 +42,7 @@ private:
         choose("sampleTo", "second");
         choose("acrossOf", "third");
         QVERIFY(samples().across);
+        QTRY_COMPARE(pad()->height(), pad()->sizeHint().height());
     }
 
 protected slots:
@@ -102,13 +103,13 @@ private slots:
         pad()->setFocus();
         QTest::keyClick(pad(), Qt::Key_Up, Qt::ShiftModifier);
         QCOMPARE(samples().across->weight, 0.6);
-        QCOMPARE(test::find<QSpinBox>(QStringLiteral("acrossPercent"))->value(), 60);
+        QCOMPARE(test::find<QDoubleSpinBox>(QStringLiteral("acrossPercent"))->value(), 60);
     }
 
     void numbersMoveThePad()
     {
         makeSquare();
-        test::find<QSpinBox>(QStringLiteral("acrossPercent"))->setValue(15);
+        test::find<QDoubleSpinBox>(QStringLiteral("acrossPercent"))->setValue(15);
         test::find<QSpinBox>(QStringLiteral("samplePercent"))->setValue(70);
         QCOMPARE(pad()->weights(), QPointF(0.7, 0.15));
     }

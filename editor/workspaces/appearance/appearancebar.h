@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "editor/fields/fieldbar.h"
+#include "editor/fields/fieldform.h"
 #include "editor/workspaces/appearance/currentappearance.h"
 
 #include <QPointer>
-#include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QToolButton;
@@ -25,31 +25,22 @@ public:
 
 private:
     void makeActions();
-    void makeFields();
     void arrangeWidgets();
     void retranslate();
     void refresh();
     void refreshState();
     void showProgress();
     QString stateText() const;
-    void edit(const QString& what, const char* property, const CurrentAppearance::Edit& edit);
 
     CurrentAppearance& m_appearance;
     QComboBox* m_names;
-    QDoubleSpinBox* m_components = nullptr;
-    QDoubleSpinBox* m_warps = nullptr;
-    QComboBox* m_flow;
-    QComboBox* m_varied;
-    QLabel* m_componentsLabel;
-    QLabel* m_warpsLabel;
-    QLabel* m_flowLabel;
-    QLabel* m_variedLabel;
+    FieldBar* m_bar;
+    FieldForm<AppearanceEntry, FieldBar> m_fields;
     QToolButton* m_build = nullptr;
     QToolButton* m_stop = nullptr;
     QProgressBar* m_progress;
     QLabel* m_state;
     QPointer<Job> m_job; ///< whose progress is followed
-    bool m_isShowing = false;
 };
 
 } // namespace quadrille

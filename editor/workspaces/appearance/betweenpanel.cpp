@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/appearance/betweenpanel.h"
 
+#include "editor/fields/sliderfield.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScopedValueRollback>
 #include <QScrollArea>
-#include <QSlider>
-#include <QSpinBox>
 #include <cmath>
 
 namespace quadrille {
@@ -30,8 +28,7 @@ BetweenPanel::BetweenPanel(ShownTexture& shown, QWidget* parent)
     , m_ends{End{new QLabel, new QLabel, new QPushButton, new QPushButton},
              End{new QLabel, new QLabel, new QPushButton, new QPushButton}}
     , m_weightLabel(new QLabel)
-    , m_weight(new QSlider(Qt::Horizontal))
-    , m_percent(new QSpinBox)
+    , m_weight(new SliderField("betweenWeight", "betweenPercent"))
     , m_note(new QLabel)
 {
     setObjectName(QStringLiteral("betweenPanel"));
@@ -48,12 +45,8 @@ BetweenPanel::BetweenPanel(ShownTexture& shown, QWidget* parent)
                 m_shown.appearance().goTo(NamedFrame(*frameOf(end)));
         });
     }
-    const auto weigh = [this](int percent) {
-        if (!m_isShowing)
-            m_shown.setWeight(percent / hundred);
-    };
-    connect(m_weight, &QSlider::valueChanged, this, weigh);
-    connect(m_percent, &QSpinBox::valueChanged, this, weigh);
+    connect(m_weight, &SliderField::edited, this,
+            [this](int percent) { m_shown.setWeight(percent / hundred); });
     connect(&shown, &ShownTexture::changed, this, &BetweenPanel::refresh);
     retranslates(this, [this] { retranslate(); });
 }
@@ -79,17 +72,10 @@ void BetweenPanel::arrangeWidgets()
         grid->addWidget(end.show, row, 3);
     }
     grid->addWidget(m_weightLabel, 2, 0);
-    grid->addWidget(m_weight, 2, 1, 1, 2);
-    grid->addWidget(m_percent, 2, 3);
+    grid->addWidget(m_weight, 2, 1, 1, 3);
     grid->setColumnStretch(1, 1);
-    m_weight->setObjectName(QStringLiteral("betweenWeight"));
-    m_percent->setObjectName(QStringLiteral("betweenPercent"));
     m_note->setObjectName(QStringLiteral("betweenNote"));
-    m_weight->setRange(0, static_cast<int>(hundred));
-    m_percent->setRange(0, static_cast<int>(hundred));
-    m_percent->setKeyboardTracking(false);
-    m_percent->setAlignment(Qt::AlignRight);
-    m_weightLabel->setBuddy(m_percent);
+    m_weightLabel->setBuddy(m_weight);
     for (QLabel* label : {m_sentence, m_note}) {
         label->setWordWrap(true);
         label->setForegroundRole(QPalette::PlaceholderText);
@@ -121,16 +107,12 @@ void BetweenPanel::retranslate()
         end.show->setAccessibleName(tr("%1: show").arg(end.label->text()));
     }
     m_weightLabel->setText(tr("Weight"));
-    m_weight->setAccessibleName(tr("Weight"));
-    m_weight->setToolTip(tr("How far from the first frame to the second"));
-    m_percent->setToolTip(m_weight->toolTip());
-    m_percent->setSuffix(tr(" %", "percent"));
+    m_weight->setTexts(tr("Weight"), tr(" %", "percent"), tr("How far from the first frame to the second"));
     refresh();
 }
 
 void BetweenPanel::refresh()
 {
-    const QScopedValueRollback showing(m_isShowing, true);
     const bool hasFrame = m_shown.appearance().frame().has_value();
     for (std::size_t i = 0; i < m_ends.size(); ++i) {
         const End& end = m_ends.at(i);
@@ -140,10 +122,7 @@ void BetweenPanel::refresh()
     }
     const bool hasBoth = m_shown.from() && m_shown.to();
     m_weight->setEnabled(hasBoth);
-    m_percent->setEnabled(hasBoth);
-    const int percent = static_cast<int>(std::lround(hundred * m_shown.weight()));
-    m_weight->setValue(percent);
-    m_percent->setValue(percent);
+    m_weight->setValue(static_cast<int>(std::lround(hundred * m_shown.weight())));
     m_note->setText(m_shown.content() == TextureContent::Between ? m_shown.missing() : QString());
 }
 

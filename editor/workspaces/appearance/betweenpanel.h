@@ -9,10 +9,10 @@
 
 class QLabel;
 class QPushButton;
-class QSlider;
-class QSpinBox;
 
 namespace quadrille {
+
+class SliderField;
 
 /// Two captured frames and a weight: the texture between them by the model, to be compared with a linear
 /// blend.
@@ -41,10 +41,8 @@ private:
     QLabel* m_sentence;
     std::array<End, 2> m_ends;
     QLabel* m_weightLabel;
-    QSlider* m_weight;
-    QSpinBox* m_percent;
+    SliderField* m_weight;
     QLabel* m_note;
-    bool m_isShowing = false;
 };
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/sliderfield.h"
 #include "editor/language/retranslate.h"
 #include "editor/pictures/uvedges.h"
 #include "widgets/controls/comparedview.h"
@@ -15,9 +16,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QScopedValueRollback>
-#include <QSlider>
-#include <QSpinBox>
 #include <QToolButton>
 #include <array>
 #include <utility>
@@ -50,8 +48,7 @@ TextureComparison::TextureComparison(ShownTexture& shown, QWidget* parent)
     , m_edges(nullptr)
     , m_fit(nullptr)
     , m_usedLabel(new QLabel)
-    , m_used(new QSlider(Qt::Horizontal))
-    , m_usedNumber(new QSpinBox)
+    , m_used(new SliderField("appearanceUsed", "appearanceUsedNumber"))
     , m_quality(new QLabel)
     , m_note(new QLabel)
 {
@@ -107,8 +104,6 @@ void TextureComparison::arrangeWidgets()
     m_legend->setMaximumHeight(legendHeight);
     m_content->setObjectName(QStringLiteral("appearanceContent"));
     m_mode->setObjectName(QStringLiteral("appearanceMode"));
-    m_used->setObjectName(QStringLiteral("appearanceUsed"));
-    m_usedNumber->setObjectName(QStringLiteral("appearanceUsedNumber"));
     m_quality->setObjectName(QStringLiteral("appearanceQuality"));
     m_note->setObjectName(QStringLiteral("appearanceNote"));
     m_content->addItems({{}, {}, {}, {}});
@@ -124,8 +119,6 @@ void TextureComparison::arrangeWidgets()
         label->setWordWrap(true);
     m_quality->setFont(widgets::Theme::tabularFont(font()));
     m_note->setForegroundRole(QPalette::PlaceholderText);
-    m_used->setMinimum(0);
-    m_usedNumber->setKeyboardTracking(false);
 
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(comparisonGap, comparisonGap, comparisonGap, comparisonGap);
@@ -143,7 +136,6 @@ void TextureComparison::arrangeWidgets()
     used->setContentsMargins(2 * comparisonGap, comparisonGap, comparisonGap, 0);
     used->addWidget(m_usedLabel);
     used->addWidget(m_used, 1);
-    used->addWidget(m_usedNumber);
     auto* facts = new QVBoxLayout;
     facts->setContentsMargins(2 * comparisonGap, 0, comparisonGap, comparisonGap);
     facts->setSpacing(0);
@@ -165,12 +157,7 @@ void TextureComparison::connectParts()
             [this](int index) { m_shown.setContent(static_cast<TextureContent>(index)); });
     connect(m_mode, &QComboBox::activated, this,
             [this](int index) { m_shown.setMode(static_cast<TextureMode>(index)); });
-    const auto use = [this](int components) {
-        if (!m_isShowing)
-            m_shown.setUsed(components);
-    };
-    connect(m_used, &QSlider::valueChanged, this, use);
-    connect(m_usedNumber, &QSpinBox::valueChanged, this, use);
+    connect(m_used, &SliderField::edited, this, [this](int components) { m_shown.setUsed(components); });
     connect(m_view, &widgets::TextureView::viewMoved, this, [this] { m_right->showLike(*m_view); });
     connect(m_right, &widgets::TextureView::viewMoved, this, [this] { m_view->showLike(*m_right); });
 }
@@ -188,10 +175,6 @@ void TextureComparison::retranslate()
     m_right->setAccessibleName(tr("Second texture"));
     m_legend->setToolTip(tr("Difference in grey levels, second texture less the first"));
     m_usedLabel->setText(tr("Components used"));
-    m_used->setAccessibleName(tr("Components used"));
-    m_usedNumber->setAccessibleName(tr("Components used"));
-    m_used->setToolTip(tr("How many of the model’s components textures are made of, from the first on"));
-    m_usedNumber->setToolTip(m_used->toolTip());
     refresh();
 }
 
@@ -226,7 +209,6 @@ void TextureComparison::refresh()
 
 void TextureComparison::refreshTools()
 {
-    const QScopedValueRollback showing(m_isShowing, true);
     m_content->setCurrentIndex(static_cast<int>(m_shown.content()));
     const bool isComponent = m_shown.content() == TextureContent::Component;
     const std::array modes{sideText(true),
@@ -240,13 +222,12 @@ void TextureComparison::refreshTools()
     m_mode->setCurrentIndex(static_cast<int>(m_shown.mode()));
     const int count = m_shown.componentCount();
     const bool counts = count > 0 && m_shown.content() == TextureContent::Frame;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_usedLabel, m_used, m_usedNumber})
-        widget->setVisible(counts);
+    m_usedLabel->setVisible(counts);
+    m_used->setVisible(counts);
     m_used->setMaximum(count);
-    m_usedNumber->setMaximum(count);
     m_used->setValue(m_shown.used());
-    m_usedNumber->setValue(m_shown.used());
-    m_usedNumber->setSuffix(tr(" of %1", "components").arg(count));
+    m_used->setTexts(tr("Components used"), tr(" of %1", "components").arg(count),
+                     tr("How many of the model’s components textures are made of, from the first on"));
 }
 
 void TextureComparison::refreshEdges()

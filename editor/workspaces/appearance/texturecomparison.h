@@ -9,11 +9,11 @@
 
 class QComboBox;
 class QLabel;
-class QSlider;
-class QSpinBox;
 class QToolButton;
 
 namespace quadrille {
+
+class SliderField;
 
 namespace widgets {
 class ComparedView;
@@ -65,14 +65,12 @@ private:
     QToolButton* m_edges;
     QToolButton* m_fit;
     QLabel* m_usedLabel;
-    QSlider* m_used;
-    QSpinBox* m_usedNumber;
+    SliderField* m_used;
     QLabel* m_quality;
     QLabel* m_note;
     ShownPair m_pair;
     QPointer<Job> m_job;
     bool m_isLate = false; ///< something else is wanted than what is being made
-    bool m_isShowing = false;
     QList<QLineF> m_lines; ///< of the UV layout
     std::weak_ptr<const Topology> m_linesOf;
 };

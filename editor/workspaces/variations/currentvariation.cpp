@@ -240,6 +240,17 @@ void CurrentVariation::edit(const QString& text, const QString& property, const 
     setVariation(m_context.document, edited, text, property, std::move(after), phase);
 }
 
+void CurrentVariation::editSet(const QString& text, const char* property, const SetEdit& edit,
+                               EditPhase phase)
+{
+    if (samples() == nullptr)
+        return;
+    const int edited = set();
+    this->edit(
+        text, QLatin1String(property) + QString::number(edited),
+        [&](VariationEntry& entry) { edit(entry.samples[static_cast<std::size_t>(edited)]); }, phase);
+}
+
 void CurrentVariation::editBody(const QString& text, const QString& property, const BodyEdit& edit,
                                 EditPhase phase)
 {

@@ -23,6 +23,7 @@ class CurrentVariation : public QObject
 
 public:
     using Edit = std::function<void(VariationEntry&)>;
+    using SetEdit = std::function<void(SamplesEntry&)>;
     using BodyEdit = std::function<void(BodyPartsEntry&)>;
 
     /// Refers to context and view.
@@ -78,6 +79,9 @@ public:
     /// \param text  what the history calls it, translated. \param property  see setVariation.
     void edit(const QString& text, const QString& property, const Edit& edit,
               EditPhase phase = EditPhase::Final);
+    /// Changes the samples that are worked on, undoably; without any, nothing happens.
+    void editSet(const QString& text, const char* property, const SetEdit& edit,
+                 EditPhase phase = EditPhase::Final);
     /// Changes the parts of the character's body, undoably. \param edit  is called at once, with a copy.
     void editBody(const QString& text, const QString& property, const BodyEdit& edit,
                   EditPhase phase = EditPhase::Final);

@@ -4,9 +4,9 @@
 
 #include "editor/context/editorcontext.h"
 #include "editor/fields/rightmenu.h"
-#include "editor/fields/settingform.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/variations/acrossfields.h"
 #include "editor/workspaces/variations/blendlist.h"
 #include "editor/workspaces/variations/currentvariation.h"
 #include "editor/workspaces/variations/takelist.h"
@@ -17,10 +17,7 @@
 #include "widgets/controls/elidedbutton.h"
 #include "widgets/theme/theme.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollArea>
@@ -80,9 +77,11 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
     , m_hint(new QLabel)
     , m_takes(new TakeList)
     , m_form(new SettingForm)
-    , m_reference(new QComboBox)
+    , m_fields(*m_form,
+               [this](const QString& text, const char* property, const auto& change) {
+                   m_variation.edit(text, QLatin1String(property), change);
+               })
     , m_template(new widgets::ElidedButton)
-    , m_cycles(new QCheckBox)
     , m_blendHeading(new QLabel)
     , m_blends(new BlendList(variation))
 {
@@ -139,6 +138,7 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
                                           tr("The frames that are learned from: one cycle, or all"));
         m_takes->setAccessibleName(tr("Takes to learn from"));
         m_blendHeading->setText(tr("Blends"));
+        m_fields.retranslate();
         refresh();
     });
 }
@@ -146,37 +146,35 @@ MovementPanel::MovementPanel(CurrentVariation& variation, QWidget* parent)
 void MovementPanel::addSettings()
 {
     m_form->addHeading([] { return tr("Alignment"); });
-    m_form->add(
-        "variationReference", [] { return tr("Reference"); },
-        [] { return tr("The take whose timing the others are warped to"); }, m_reference,
-        [this] {
-            m_variation.edit(tr("Change the reference"), QStringLiteral("reference"),
-                             [](VariationEntry& entry) { entry.reference.clear(); });
-        });
-    m_form->add(
-        "variationTemplate", [] { return tr("Template"); },
-        [] { return tr("The pose that all frames are laid onto; a click takes the one that is shown"); },
+    m_fields.addItems({"variationReference",
+                       [] { return tr("Reference"); },
+                       [] { return tr("The take whose timing the others are warped to"); },
+                       {},
+                       [] { return tr("Change the reference"); }},
+                      &VariationEntry::reference, [this](const VariationEntry& /*entry*/) {
+                          auto items = takeItems(m_variation, {});
+                          items.insert(items.begin(), {tr("the first take"), std::string()});
+                          return items;
+                      });
+    m_fields.addOther(
+        {"variationTemplate", [] { return tr("Template"); },
+         [] { return tr("The pose that all frames are laid onto; a click takes the one that is shown"); }},
         m_template,
-        [this] {
-            m_variation.edit(tr("Change the template"), QStringLiteral("template"),
-                             [](VariationEntry& entry) { entry.templatePose.reset(); });
-        });
-    m_form->add(
-        "variationCycles", {}, [] { return tr("So that all takes begin in the same phase"); }, m_cycles,
-        [this] {
-            m_variation.edit(tr("Cut to cycles"), QStringLiteral("cycles"),
-                             [](VariationEntry& entry) { entry.cycles = true; });
-        });
-    connect(m_reference, &QComboBox::activated, this, [this](int index) {
-        m_variation.edit(tr("Change the reference"), QStringLiteral("reference"), [&](VariationEntry& entry) {
-            entry.reference = index == 0 ? std::string() : m_reference->currentText().toStdString();
-        });
-    });
+        [this](const VariationEntry& entry) {
+            m_template->setText(entry.templatePose
+                                    ? tr("%1, frame %2")
+                                          .arg(QString::fromStdString(entry.templatePose->sequence))
+                                          .arg(entry.templatePose->frame.value)
+                                    : tr("the reference’s first frame"));
+        },
+        [](const VariationEntry& entry) { return !entry.templatePose; }, [this] { setTemplate({}); });
+    m_fields.addSwitch({"variationCycles",
+                        [] { return tr("Cut walks and runs to one cycle"); },
+                        [] { return tr("So that all takes begin in the same phase"); },
+                        {},
+                        [] { return tr("Cut to cycles"); }},
+                       &VariationEntry::cycles);
     connect(m_template, &QAbstractButton::clicked, this, &MovementPanel::takeTemplate);
-    connect(m_cycles, &QCheckBox::clicked, this, [this](bool checked) {
-        m_variation.edit(tr("Cut to cycles"), QStringLiteral("cycles"),
-                         [checked](VariationEntry& entry) { entry.cycles = checked; });
-    });
 }
 
 QStringList MovementPanel::takesOfCharacter() const
@@ -239,30 +237,9 @@ void MovementPanel::showUse(QTreeWidgetItem& item)
 void MovementPanel::refresh()
 {
     refreshTakes();
-    const QScopedValueRollback showing(m_isShowing, true);
     const VariationEntry* entry = m_variation.entry();
-    m_reference->clear();
-    m_reference->addItem(tr("the first take"));
-    if (entry != nullptr) {
-        for (const TrainingEntry& take : entry->training)
-            m_reference->addItem(QString::fromStdString(take.sequence));
-    }
-    const VariationEntry usual;
-    const VariationEntry& shown = entry == nullptr ? usual : *entry;
-    m_reference->setCurrentIndex(
-        shown.reference.empty()
-            ? 0
-            : std::max(m_reference->findText(QString::fromStdString(shown.reference)), 0));
-    m_template->setText(shown.templatePose ? tr("%1, frame %2")
-                                                 .arg(QString::fromStdString(shown.templatePose->sequence))
-                                                 .arg(shown.templatePose->frame.value)
-                                           : tr("the reference’s first frame"));
-    m_cycles->setText(tr("Cut walks and runs to one cycle"));
-    m_cycles->setChecked(shown.cycles);
     m_form->setEnabled(entry != nullptr);
-    m_form->setUsual(m_reference, shown.reference.empty());
-    m_form->setUsual(m_template, !shown.templatePose);
-    m_form->setUsual(m_cycles, shown.cycles);
+    m_fields.show(entry == nullptr ? VariationEntry() : *entry);
 }
 
 void MovementPanel::choose(QTreeWidgetItem* item)
@@ -311,9 +288,13 @@ void MovementPanel::takeTemplate()
     const QString shown = m_variation.view().scene().shown().value(0);
     if (!isLearnedFrom(m_variation.entry(), shown.toStdString()))
         return;
-    m_variation.edit(tr("Change the template"), QStringLiteral("template"), [&](VariationEntry& entry) {
-        entry.templatePose = NamedFrame{shown.toStdString(), m_variation.view().player().frame()};
-    });
+    setTemplate(NamedFrame{shown.toStdString(), m_variation.view().player().frame()});
+}
+
+void MovementPanel::setTemplate(const std::optional<NamedFrame>& pose)
+{
+    m_variation.edit(tr("Change the template"), QStringLiteral("variationTemplate"),
+                     [&](VariationEntry& entry) { entry.templatePose = pose; });
 }
 
 } // namespace quadrille

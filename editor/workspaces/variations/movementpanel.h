@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QWidget>
+#include "editor/fields/fieldform.h"
+#include "model/project/document/variationentry.h"
 
-class QCheckBox;
-class QComboBox;
-class QLabel;
 class QTreeWidgetItem;
 
 namespace quadrille {
 
 class BlendList;
 class CurrentVariation;
-class SettingForm;
 class TakeList;
 
 namespace widgets {
@@ -36,15 +33,15 @@ private:
     void choose(QTreeWidgetItem* item);
     void addTakes(const QStringList& takes);
     void takeTemplate();
+    void setTemplate(const std::optional<NamedFrame>& pose);
     QStringList takesOfCharacter() const;
 
     CurrentVariation& m_variation;
     QLabel* m_hint;
     TakeList* m_takes;
     SettingForm* m_form;
-    QComboBox* m_reference;
+    FieldForm<VariationEntry> m_fields;
     widgets::ElidedButton* m_template;
-    QCheckBox* m_cycles;
     QLabel* m_blendHeading;
     BlendList* m_blends;
     bool m_isShowing = false; ///< fields change because of the document

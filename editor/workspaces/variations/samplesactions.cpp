@@ -12,16 +12,11 @@
 #include "model/project/results/projectresults.h"
 #include "widgets/theme/theme.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <QScopedValueRollback>
-#include <QSlider>
-#include <QSpinBox>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -106,7 +101,7 @@ void SamplesPanel::makeActions()
                  [] { return tr("Draws as many other variations, with the next seed"); },
                  "refresh",
                  {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D)}},
-                [this] { m_seed->setValue(m_seed->value() + 1); });
+                [this] { m_seed->stepUp(); });
     actions.add({"variations.keep",
                  group,
                  [] { return tr("&Keep"); },
@@ -163,37 +158,12 @@ void SamplesPanel::refreshSets()
 
 void SamplesPanel::refreshFields()
 {
+    const VariationEntry* entry = m_variation.entry();
     const SamplesEntry* set = m_variation.samples();
-    const QList<QWidget*> fields{m_of, m_to, m_weightRow, m_count, m_seed};
-    for (QWidget* field : fields)
-        field->setEnabled(set != nullptr);
-    m_spread->setEnabled(m_variation.entry() != nullptr);
-    m_spread->setValue(
-        (m_variation.entry() == nullptr ? VariationEntry() : *m_variation.entry()).extent.spread);
-    m_of->clear();
-    m_to->clear();
-    m_to->addItem(tr("nothing: the take alone"));
-    if (set == nullptr)
-        return;
-    for (const TrainingEntry& take : m_variation.entry()->training) {
-        const QString name = QString::fromStdString(take.sequence);
-        m_of->addItem(name);
-        if (take.sequence != set->of)
-            m_to->addItem(name);
-    }
-    m_of->setCurrentIndex(m_of->findText(QString::fromStdString(set->of)));
-    m_to->setCurrentIndex(set->to.empty() ? 0 : m_to->findText(QString::fromStdString(set->to)));
-    constexpr double whole = 100;
-    const auto percent = static_cast<int>(std::lround(set->weight * whole));
-    if (!m_weight->isSliderDown())
-        m_weight->setValue(percent);
-    m_percent->setValue(percent);
-    m_count->setValue(set->count);
-    m_seed->setValue(static_cast<int>(set->seed));
-    m_weightRow->setVisible(!set->to.empty());
-    m_weightLabel->setVisible(!set->to.empty());
-    m_across->setVisible(m_across->isUseful());
-    m_acrossLabel->setVisible(m_across->isUseful());
+    m_fields.show(set == nullptr ? SamplesEntry() : *set);
+    m_fields.setEnabled(set != nullptr);
+    m_common.show(entry == nullptr ? VariationEntry() : *entry);
+    m_common.setEnabled(entry != nullptr);
 }
 
 void SamplesPanel::refreshVariations()
@@ -320,16 +290,16 @@ void SamplesPanel::discard(bool discards)
 {
     const std::vector<DrawnVariation> chosen = selected();
     const auto count = static_cast<int>(chosen.size());
-    editSet(discards ? tr("Throw %n variation(s) away", nullptr, count)
-                     : tr("Keep %n variation(s)", nullptr, count),
-            "discarded", [&](SamplesEntry& set) {
-                for (const DrawnVariation& drawn : chosen) {
-                    std::erase(set.discarded, drawn.inSet);
-                    if (discards)
-                        set.discarded.push_back(drawn.inSet);
-                }
-                std::ranges::sort(set.discarded);
-            });
+    m_variation.editSet(discards ? tr("Throw %n variation(s) away", nullptr, count)
+                                 : tr("Keep %n variation(s)", nullptr, count),
+                        "discarded", [&](SamplesEntry& set) {
+                            for (const DrawnVariation& drawn : chosen) {
+                                std::erase(set.discarded, drawn.inSet);
+                                if (discards)
+                                    set.discarded.push_back(drawn.inSet);
+                            }
+                            std::ranges::sort(set.discarded);
+                        });
 }
 
 void SamplesPanel::addAsSequences()

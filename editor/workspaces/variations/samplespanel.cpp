@@ -6,6 +6,7 @@
 #include "editor/documents/variationresult.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/partlist.h"
+#include "editor/fields/sliderfield.h"
 #include "editor/fields/verticalscroll.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/acrossfields.h"
@@ -13,20 +14,16 @@
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
 #include <QScrollArea>
-#include <QSlider>
-#include <QSpinBox>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
 namespace quadrille {
 
@@ -34,8 +31,8 @@ namespace {
 
 constexpr int samplesMargin = 12;    // pixels
 constexpr int leastListHeight = 130; // of the variations, pixels: a few of them and the header
-constexpr int mostVariations = 10'000;
-constexpr int greatestSeed = 999'999;
+constexpr double middle = 0.5;
+constexpr double whole = 100; // percent
 
 } // namespace
 
@@ -64,18 +61,15 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     , m_pages(new QStackedWidget)
     , m_empty(new QLabel)
     , m_sets(new PartList(QStringLiteral("sampleSets")))
-    , m_of(new QComboBox)
-    , m_to(new QComboBox)
-    , m_weight(new QSlider(Qt::Horizontal))
-    , m_percent(new QSpinBox)
-    , m_weightRow(new QWidget)
-    , m_weightLabel(new QLabel)
-    , m_across(new AcrossFields(variation))
-    , m_acrossLabel(new QLabel)
-    , m_count(new QSpinBox)
-    , m_seed(new QSpinBox)
-    , m_spread(new QDoubleSpinBox)
-    , m_again(nullptr)
+    , m_form(new LabelForm)
+    , m_fields(*m_form, [this](const QString& text, const char* property,
+                               const auto& change) { m_variation.editSet(text, property, change); })
+    , m_common(*m_form,
+               [this](const QString& text, const char* property, const auto& change) {
+                   if (m_variation.entry() != nullptr)
+                       m_variation.edit(text, QLatin1String(property), change);
+               })
+    , m_weight(new SliderField("sampleWeight", "samplePercent"))
     , m_summary(new QLabel)
     , m_variations(new QTreeWidget)
 {
@@ -97,7 +91,7 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_pages);
-    connectFields();
+    connectLists();
     connect(&variation, &CurrentVariation::changed, this, &SamplesPanel::refresh);
     connect(&variation, &CurrentVariation::resultChanged, this, &SamplesPanel::refreshVariations);
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &SamplesPanel::refreshVariations);
@@ -107,79 +101,112 @@ SamplesPanel::SamplesPanel(CurrentVariation& variation, QWidget* parent)
 QWidget* SamplesPanel::makeSets()
 {
     ActionRegistry& actions = m_variation.context().actions;
-    m_of->setObjectName(QStringLiteral("sampleOf"));
-    m_to->setObjectName(QStringLiteral("sampleTo"));
-    m_weight->setObjectName(QStringLiteral("sampleWeight"));
-    m_percent->setObjectName(QStringLiteral("samplePercent"));
-    m_count->setObjectName(QStringLiteral("sampleCount"));
-    m_seed->setObjectName(QStringLiteral("sampleSeed"));
-    m_spread->setObjectName(QStringLiteral("spread"));
-    m_weight->setRange(0, 100);
-    m_percent->setRange(0, 100);
-    m_count->setRange(1, mostVariations);
-    m_seed->setRange(0, greatestSeed);
-    m_spread->setRange(0, greatestSpread);
-    m_spread->setSingleStep(0.1);
-    for (QAbstractSpinBox* field :
-         std::initializer_list<QAbstractSpinBox*>{m_percent, m_count, m_seed, m_spread}) {
-        field->setAlignment(Qt::AlignRight);
-        field->setKeyboardTracking(false);
-    }
-    for (QComboBox* box : {m_of, m_to}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(6);
-    }
-    m_again = makeActionButton(actions.action(QStringLiteral("variations.again")));
-    auto* weightRow = new QHBoxLayout(m_weightRow);
-    weightRow->setContentsMargins(0, 0, 0, 0);
-    weightRow->addWidget(m_weight, 1);
-    weightRow->addWidget(m_percent);
-    auto* seedRow = new QHBoxLayout;
-    seedRow->addWidget(m_seed, 1);
-    seedRow->addWidget(m_again);
     auto* page = new QWidget;
-    auto* grid = new QGridLayout(page);
-    grid->setContentsMargins(samplesMargin, 4, samplesMargin, 0);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(4);
-    grid->setColumnStretch(1, 1);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* sets = new QVBoxLayout;
+    sets->setContentsMargins(samplesMargin, 4, samplesMargin, 0);
+    sets->setSpacing(4);
     auto* setButtons = new QHBoxLayout;
     setButtons->setSpacing(4);
     for (const char* id : {"variations.addSet", "variations.removeSet"})
         setButtons->addWidget(makeActionButton(actions.action(QLatin1String(id))));
     setButtons->addStretch(1);
-    const auto addRow = [&](int row, std::function<QString()> text, QWidget* buddy) {
-        auto* label = new QLabel;
-        label->setBuddy(buddy);
-        m_labels.emplaceBack(label, std::move(text));
-        grid->addWidget(label, row, 0);
-        return label;
-    };
-    grid->addLayout(setButtons, 0, 0, 1, 2);
-    grid->addWidget(m_sets, 1, 0, 1, 2);
-    addRow(
-        2, [] { return tr("Of"); }, m_of);
-    grid->addWidget(m_of, 2, 1);
-    addRow(
-        3, [] { return tr("Towards"); }, m_to);
-    grid->addWidget(m_to, 3, 1);
-    m_weightLabel = addRow(
-        4, [] { return tr("Weight"); }, m_weight);
-    grid->addWidget(m_weightRow, 4, 1);
-    m_acrossLabel = addRow(
-        5, [] { return tr("Across"); }, m_across);
-    m_acrossLabel->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    grid->addWidget(m_across, 5, 1);
-    addRow(
-        6, [] { return tr("Count"); }, m_count);
-    grid->addWidget(m_count, 6, 1);
-    addRow(
-        7, [] { return tr("Seed"); }, m_seed);
-    grid->addLayout(seedRow, 7, 1);
-    addRow(
-        8, [] { return tr("Spread"); }, m_spread);
-    grid->addWidget(m_spread, 8, 1);
+    sets->addLayout(setButtons);
+    sets->addWidget(m_sets);
+    column->addLayout(sets);
+    column->addWidget(m_form);
+    addTakes();
+    addWeight();
+    addAcrossFields(m_fields, m_variation);
+    addDrawing();
     return page;
+}
+
+void SamplesPanel::addTakes()
+{
+    auto of = lensOf<SamplesEntry>(&SamplesEntry::of);
+    of.set = [](SamplesEntry& set, std::string take) {
+        set.of = std::move(take);
+        if (set.to == set.of)
+            set.to.clear();
+        dropImpossibleAcross(set);
+    };
+    auto to = lensOf<SamplesEntry>(&SamplesEntry::to);
+    to.set = [](SamplesEntry& set, std::string take) {
+        set.to = std::move(take);
+        set.weight = set.to.empty() ? 0 : set.weight > 0 ? set.weight : middle;
+        dropImpossibleAcross(set);
+    };
+    m_fields.addItems({"sampleOf",
+                       [] { return tr("Of"); },
+                       [] { return tr("The take that is varied"); },
+                       {},
+                       [] { return tr("Vary another take"); }},
+                      of, [this](const SamplesEntry& /*set*/) { return takeItems(m_variation, {}); });
+    m_fields.addItems(
+        {"sampleTo",
+         [] { return tr("Towards"); },
+         [] {
+             return tr("The second take of a blend; blend the two in the movement to learn the way between");
+         },
+         {},
+         [] { return tr("Vary a blend"); }},
+        to, [this](const SamplesEntry& set) {
+            auto items = takeItems(m_variation, {set.of});
+            items.insert(items.begin(), {tr("nothing: the take alone"), std::string()});
+            return items;
+        });
+}
+
+void SamplesPanel::addWeight()
+{
+    connect(m_weight, &SliderField::edited, this, [this](int percent, bool isFinal) {
+        m_variation.editSet(
+            tr("Change the weight of a blend"), "sampleWeight",
+            [percent](SamplesEntry& set) { set.weight = percent / whole; },
+            isFinal ? EditPhase::Final : EditPhase::Dragging);
+    });
+    m_fields.addOther({"sampleWeightRow", [] { return tr("Weight"); },
+                       [] { return tr("The share of the second take"); },
+                       [](const SamplesEntry& set) { return !set.to.empty(); }},
+                      m_weight, [this](const SamplesEntry& set) {
+                          m_weight->setValue(static_cast<int>(std::lround(set.weight * whole)));
+                      });
+}
+
+void SamplesPanel::addDrawing()
+{
+    m_fields.addNumber({"sampleCount",
+                        [] { return tr("Count"); },
+                        [] { return tr("How many variations are drawn"); },
+                        {},
+                        [] { return tr("Change the number of variations"); }},
+                       &SamplesEntry::count,
+                       {.path = "samples.count", .step = 1, .decimals = 0, .lowest = 1});
+    auto seed = lensOf<SamplesEntry>(&SamplesEntry::seed);
+    seed.set = [](SamplesEntry& set, std::uint64_t number) {
+        set.seed = number;
+        set.discarded.clear();
+    };
+    m_seed = m_fields.addNumber({"sampleSeed",
+                                 [] { return tr("Seed"); },
+                                 [] { return tr("The same seed draws the same variations"); },
+                                 {},
+                                 [] { return tr("Change the seed"); },
+                                 makeActionButton(m_variation.context().actions.action("variations.again"))},
+                                seed, {.path = "samples.seed", .step = 1, .decimals = 0});
+    m_common.addNumber({"spread",
+                        [] { return tr("Spread"); },
+                        [] {
+                            return tr("How far variations are apart, as a share of how far the takes are; of "
+                                      "all sets alike. Usually %1")
+                                .arg(QLocale().toString(TrajectoryLimits().spread));
+                        },
+                        {},
+                        [] { return tr("Change how far variations are apart"); }},
+                       at(&VariationEntry::extent, &TrajectoryLimits::spread), {.path = "sampling.spread"});
 }
 
 QWidget* SamplesPanel::makeVariations()
@@ -226,47 +253,13 @@ QWidget* SamplesPanel::makeVariations()
     return page;
 }
 
-void SamplesPanel::connectFields()
+void SamplesPanel::connectLists()
 {
     connect(m_sets, &QListWidget::currentRowChanged, this, [this](int row) {
         if (!m_isShowing && row >= 0)
             m_variation.setSet(row);
     });
     connect(m_sets, &PartList::deletionRequested, this, [this] { removeSet(); });
-    connect(m_of, &QComboBox::textActivated, this, [this](const QString& take) {
-        editSet(tr("Vary another take"), "of", [&](SamplesEntry& set) {
-            set.of = take.toStdString();
-            if (set.to == set.of)
-                set.to.clear();
-            dropImpossibleAcross(set);
-        });
-    });
-    connect(m_to, &QComboBox::activated, this, [this](int index) {
-        editSet(tr("Vary a blend"), "to", [&](SamplesEntry& set) {
-            constexpr double middle = 0.5;
-            set.to = index == 0 ? std::string() : m_to->currentText().toStdString();
-            set.weight = set.to.empty() ? 0 : set.weight > 0 ? set.weight : middle;
-            dropImpossibleAcross(set);
-        });
-    });
-    connect(m_weight, &QSlider::valueChanged, this, [this](int percent) {
-        setWeight(percent, m_weight->isSliderDown() ? EditPhase::Dragging : EditPhase::Final);
-    });
-    connect(m_weight, &QSlider::sliderReleased, this,
-            [this] { setWeight(m_weight->value(), EditPhase::Final); });
-    connect(m_percent, &QSpinBox::valueChanged, this,
-            [this](int percent) { setWeight(percent, EditPhase::Final); });
-    connect(m_count, &QSpinBox::valueChanged, this, [this](int count) {
-        editSet(tr("Change the number of variations"), "count",
-                [count](SamplesEntry& set) { set.count = count; });
-    });
-    connect(m_seed, &QSpinBox::valueChanged, this, [this](int seed) {
-        editSet(tr("Change the seed"), "seed", [seed](SamplesEntry& set) {
-            set.seed = static_cast<std::uint64_t>(seed);
-            set.discarded.clear();
-        });
-    });
-    connect(m_spread, &QDoubleSpinBox::valueChanged, this, &SamplesPanel::setSpread);
     connect(m_variations, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         if (!m_isShowing)
             m_variation.setHidden(item->data(0, Qt::UserRole).toInt(), item->checkState(0) != Qt::Checked);
@@ -283,54 +276,12 @@ void SamplesPanel::connectFields()
     });
 }
 
-void SamplesPanel::editSet(const QString& text, const char* property,
-                           const std::function<void(SamplesEntry&)>& edit, EditPhase phase)
-{
-    if (m_isShowing || m_variation.samples() == nullptr)
-        return;
-    m_variation.edit(
-        text, QLatin1String(property) + QString::number(m_variation.set()),
-        [&](VariationEntry& entry) { edit(entry.samples[static_cast<std::size_t>(m_variation.set())]); },
-        phase);
-}
-
-void SamplesPanel::setWeight(int percent, EditPhase phase)
-{
-    constexpr double whole = 100;
-    editSet(
-        tr("Change the weight of a blend"), "weight",
-        [percent](SamplesEntry& set) { set.weight = percent / whole; }, phase);
-}
-
-void SamplesPanel::setSpread(double spread)
-{
-    if (!m_isShowing && m_variation.entry() != nullptr)
-        m_variation.edit(tr("Change how far variations are apart"), QStringLiteral("spread"),
-                         [spread](VariationEntry& entry) { entry.extent.spread = spread; });
-}
-
 void SamplesPanel::retranslate()
 {
-    for (const auto& [label, text] : m_labels)
-        label->setText(text());
+    m_fields.retranslate();
+    m_common.retranslate();
+    m_weight->setTexts(tr("Weight"), tr(" %", "percent"), tr("The share of the second take"));
     m_sets->setAccessibleName(tr("What variations are drawn of"));
-    m_of->setAccessibleName(tr("Of"));
-    m_of->setToolTip(tr("The take that is varied"));
-    m_to->setAccessibleName(tr("Towards"));
-    m_to->setToolTip(
-        tr("The second take of a blend; blend the two in the movement to learn the way between"));
-    m_weight->setAccessibleName(tr("Weight"));
-    m_weight->setToolTip(tr("The share of the second take"));
-    m_percent->setAccessibleName(tr("Weight in percent"));
-    m_percent->setSuffix(tr(" %", "percent"));
-    m_count->setAccessibleName(tr("Count"));
-    m_count->setToolTip(tr("How many variations are drawn"));
-    m_seed->setAccessibleName(tr("Seed"));
-    m_seed->setToolTip(tr("The same seed draws the same variations"));
-    m_spread->setAccessibleName(tr("Spread"));
-    m_spread->setToolTip(tr("How far variations are apart, as a share of how far the takes are; of all sets "
-                            "alike. Usually %1")
-                             .arg(QLocale().toString(VariationEntry().extent.spread)));
     m_variations->setAccessibleName(tr("Variations"));
     m_empty->setText(
         tr("Check the takes to learn from in the panel Movement; what is drawn of them comes here."));

@@ -3,28 +3,20 @@
 #pragma once
 
 #include "editor/commands/changeentry.h"
+#include "editor/fields/fieldform.h"
 
-#include <QWidget>
-#include <functional>
 #include <string>
 #include <vector>
 
-class QComboBox;
-class QDoubleSpinBox;
-class QLabel;
-class QPushButton;
-class QSlider;
-class QSpinBox;
 class QStackedWidget;
-class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace quadrille {
 
-class AcrossFields;
 class CurrentVariation;
 class PartList;
+class SliderField;
 struct DrawnVariation;
 
 /// What variations are drawn of, and those that were drawn: shown, kept, thrown away, added to the project,
@@ -48,7 +40,10 @@ private:
     void makeActions();
     QWidget* makeSets();
     QWidget* makeVariations();
-    void connectFields();
+    void addTakes();
+    void addWeight();
+    void addDrawing();
+    void connectLists();
     void retranslate();
     void refresh();
     void refreshSets();
@@ -58,10 +53,6 @@ private:
     void updateActions();
     void addSet();
     void removeSet();
-    void editSet(const QString& text, const char* property, const std::function<void(SamplesEntry&)>& edit,
-                 EditPhase phase = EditPhase::Final);
-    void setWeight(int percent, EditPhase phase);
-    void setSpread(double spread);
     void discard(bool discards);
     void addAsSequences();
     void makeClips(std::vector<std::string> clips);
@@ -72,21 +63,13 @@ private:
     QStackedWidget* m_pages;
     QLabel* m_empty;
     PartList* m_sets;
-    QComboBox* m_of;
-    QComboBox* m_to;
-    QSlider* m_weight;
-    QSpinBox* m_percent;
-    QWidget* m_weightRow;
-    QLabel* m_weightLabel;
-    AcrossFields* m_across;
-    QLabel* m_acrossLabel;
-    QSpinBox* m_count;
-    QSpinBox* m_seed;
-    QDoubleSpinBox* m_spread;
-    QToolButton* m_again;
+    LabelForm* m_form;
+    FieldForm<SamplesEntry, LabelForm> m_fields;
+    FieldForm<VariationEntry, LabelForm> m_common; ///< of all sets alike
+    SliderField* m_weight;
+    QDoubleSpinBox* m_seed = nullptr;
     QLabel* m_summary;
     QTreeWidget* m_variations;
-    QList<std::pair<QLabel*, std::function<QString()>>> m_labels;
     bool m_isShowing = false; ///< fields change because of the document
 };
 
