@@ -20,7 +20,6 @@ namespace quadrille {
 
 StatusJobs::StatusJobs(JobRunner& jobs, QWidget* parent)
     : QWidget(parent)
-    , m_runner(jobs)
     , m_jobs(new JobListModel(jobs, this))
     , m_popup(new JobsPopup(*m_jobs, this))
     , m_name(new QToolButton)
@@ -37,7 +36,7 @@ StatusJobs::StatusJobs(JobRunner& jobs, QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setRange(0, 1000);
     m_timeLeft->setObjectName(QStringLiteral("jobTimeLeft"));
-    m_cancel->setObjectName(QStringLiteral("cancelJobs"));
+    m_cancel->setObjectName(QStringLiteral("cancelJob"));
     m_cancel->setIcon(widgets::icons::icon(QStringLiteral("cancel")));
     m_cancel->setAutoRaise(true);
     m_cancel->setFocusPolicy(Qt::TabFocus);
@@ -47,7 +46,7 @@ StatusJobs::StatusJobs(JobRunner& jobs, QWidget* parent)
     for (QWidget* widget : std::initializer_list<QWidget*>{m_name, m_progress, m_timeLeft, m_cancel, m_cache})
         row->addWidget(widget);
     connect(m_name, &QToolButton::clicked, this, &StatusJobs::showJobs);
-    connect(m_cancel, &QToolButton::clicked, this, [this] { m_runner.cancelAll(); });
+    connect(m_cancel, &QToolButton::clicked, this, [this] { m_jobs->cancel(m_jobs->index(0)); });
     connect(m_jobs, &QAbstractItemModel::rowsInserted, this, &StatusJobs::refreshJobs);
     connect(m_jobs, &QAbstractItemModel::rowsRemoved, this, &StatusJobs::refreshJobs);
     connect(m_jobs, &QAbstractItemModel::dataChanged, this, &StatusJobs::refreshJobs);
@@ -77,10 +76,10 @@ void StatusJobs::refreshJobs()
         widget->setVisible(count > 0);
     if (count == 0)
         return;
-    m_cancel->setToolTip(count > 1 ? tr("Cancel all jobs") : tr("Cancel"));
-    m_cancel->setAccessibleName(m_cancel->toolTip());
     const QModelIndex first = m_jobs->index(0);
     const QString name = first.data(Qt::DisplayRole).toString();
+    m_cancel->setToolTip(tr("Cancel “%1”").arg(name));
+    m_cancel->setAccessibleName(m_cancel->toolTip());
     m_name->setText(count > 1 ? tr("%1, and %n more", nullptr, count - 1).arg(name) : name);
     m_progress->setAccessibleName(name);
     m_progress->setValue(

@@ -22,7 +22,7 @@ class StatusJobs : public QWidget
     Q_OBJECT
 
 public:
-    /// \param jobs  outlive it. Its button cancels all of them, also those in the background.
+    /// \param jobs  outlive it. Its button cancels the one that it shows.
     explicit StatusJobs(JobRunner& jobs, QWidget* parent = nullptr);
 
     /// Lists all running jobs, each with its own button to cancel it.
@@ -33,7 +33,6 @@ private:
     void refreshCache();
     void fit();
 
-    JobRunner& m_runner;
     JobListModel* m_jobs;
     JobsPopup* m_popup;
     QToolButton* m_name;

@@ -129,6 +129,31 @@ private slots:
         QVERIFY(context().document.sequence("walk")->range == (FrameRange{FrameIndex(2), FrameIndex(5)}));
     }
 
+    void theButtonBesideAJobCancelsThatOne()
+    {
+        const auto untilCancelled = [](const Progress& progress) {
+            while (true) {
+                progress.report(0.5);
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        };
+        JobRunner& jobs = context().jobs;
+        QTRY_VERIFY(jobs.jobs().empty());
+        const QPointer<Job> hidden =
+            jobs.start({.name = "Hidden", .background = true}, untilCancelled, [] {});
+        const QPointer<Job> first = jobs.start({.name = "First"}, untilCancelled, [] {});
+        const QPointer<Job> second = jobs.start({.name = "Second"}, untilCancelled, [] {});
+        auto* cancel = test::find<QToolButton>("cancelJob");
+        QTRY_VERIFY(cancel->isVisible());
+        QCOMPARE(cancel->toolTip(), QString("Cancel “First”"));
+        QTest::mouseClick(cancel, Qt::LeftButton);
+        QTRY_VERIFY(first.isNull());
+        QVERIFY(!second.isNull() && second->state() != Job::State::Cancelling);
+        QVERIFY(!hidden.isNull() && hidden->state() != Job::State::Cancelling);
+        jobs.cancelAll();
+        QTRY_VERIFY(jobs.jobs().empty());
+    }
+
     void runningJobsAreListedAndCancelledOneByOne()
     {
         const auto untilCancelled = [](const Progress& progress) {
