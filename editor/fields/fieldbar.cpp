@@ -4,6 +4,7 @@
 
 #include "editor/language/retranslate.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <algorithm>
 #include <cassert>
@@ -23,9 +24,11 @@ void FieldBar::addField(const char* objectName, Text label, QWidget* field, Text
 {
     assert(beside == nullptr);
     field->setObjectName(QLatin1String(objectName));
+    // A bar gives its fields no more than they ask for.
+    if (auto* choice = qobject_cast<QComboBox*>(field))
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     auto* text = new QLabel;
     text->setBuddy(field);
-    text->setContentsMargins(0, 0, 0, 0);
     const int end = m_layout->count() - 1; // before the stretch
     m_layout->insertWidget(end, text);
     m_layout->insertWidget(end + 1, field);

@@ -14,6 +14,7 @@
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 
+#include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
@@ -116,6 +117,9 @@ QWidget* SamplesPanel::makeSets()
     sets->addLayout(setButtons);
     sets->addWidget(m_sets);
     column->addLayout(sets);
+    auto* form = static_cast<QFormLayout*>(m_form->layout());
+    form->setContentsMargins(samplesMargin, 4, samplesMargin, 0);
+    form->setVerticalSpacing(4);
     column->addWidget(m_form);
     addTakes();
     addWeight();
