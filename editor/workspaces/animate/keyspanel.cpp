@@ -3,6 +3,7 @@
 #include "editor/workspaces/animate/keyspanel.h"
 
 #include "editor/context/editorcontext.h"
+#include "editor/fields/numberfield.h"
 #include "editor/fields/ownkeys.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
@@ -47,17 +48,18 @@ public:
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                           const QModelIndex& index) const override
     {
-        constexpr double longest = 3600;
-        auto* field = new QDoubleSpinBox(parent);
+        const double frame = 1.0 / m_animation.context().document.project().settings.fps;
+        NumberLook look{.path = "key.time", .step = frame, .decimals = 3, .highest = 3600};
+        if (index.column() == KeysModel::Tolerance) {
+            look.path = "key.tolerance";
+            look.automatic = [] { return KeysPanel::tr("any"); };
+        }
+        QDoubleSpinBox* field = makeNumberField(look);
+        field->setParent(parent);
         field->setObjectName(QStringLiteral("keyTime"));
         field->setFrame(false);
-        field->setDecimals(3);
-        const double frame = 1.0 / m_animation.context().document.project().settings.fps;
-        field->setSingleStep(frame);
-        const bool isTolerance = index.column() == KeysModel::Tolerance;
-        field->setRange(isTolerance ? -frame : 0, longest);
-        if (isTolerance)
-            field->setSpecialValueText(KeysPanel::tr("any"));
+        if (look.automatic)
+            field->setSpecialValueText(look.automatic());
         field->setAccessibleName(index.model()->headerData(index.column(), Qt::Horizontal).toString());
         return field;
     }
