@@ -441,6 +441,13 @@
             <numerusform>Remove %n models of appearance</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n transfers</source>
+        <translation>
+            <numerusform>Remove %n transfer</numerusform>
+            <numerusform>Remove %n transfers</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectPage</name>

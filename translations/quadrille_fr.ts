@@ -4589,6 +4589,10 @@
         <source>Variations</source>
         <translation>Variations</translation>
     </message>
+    <message>
+        <source>Transfers</source>
+        <translation>Transferts</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ClipScene</name>
@@ -9739,6 +9743,13 @@ maximal %2</translation>
             <numerusform>Supprimer %n modèles d’apparence</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n transfers</source>
+        <translation>
+            <numerusform>Supprimer %n transfert</numerusform>
+            <numerusform>Supprimer %n transferts</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -10080,6 +10091,10 @@ maximal %2</translation>
     <message>
         <source>Appearance (%1)</source>
         <translation>Apparence (%1)</translation>
+    </message>
+    <message>
+        <source>Transfers (%1)</source>
+        <translation>Transferts (%1)</translation>
     </message>
 </context>
 <context>

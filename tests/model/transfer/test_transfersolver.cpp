@@ -3,6 +3,7 @@
 #include "model/core/error.h"
 #include "model/geometry/surfacevolume.h"
 #include "tests/model/codeof.h"
+#include "tests/model/transfer/plaindeformationtransfer.h"
 #include "tests/model/transfer/transferfixture.h"
 
 #include <algorithm>
@@ -178,6 +179,18 @@ TEST(TransferSolver, CarriesComponentsAndLooseVerticesAlong)
     const std::vector<Vec3f> pose = moved(
         bar.positions, [](const Vec3d& p) -> Vec3d { return Eigen::AngleAxisd(1.2, Vec3d::UnitY()) * p; });
     EXPECT_LT(largestDistance(transferred(bar, pose, marks), pose), 1e-4);
+}
+
+TEST(PlainDeformationTransfer, OntoTheSameMeshIsExact)
+{
+    const Bar bar = makeBar(9, 3, 1.0F, 0.3F);
+    const std::vector<Vec3f> pose = bent(bar.positions, 1, 70 * degree);
+    const Eigen::MatrixXd solved =
+        PlainDeformationTransfer(*bar.topology, bar.positions, bar.positions).pose(pose);
+    std::vector<Vec3f> out;
+    for (std::size_t v = 0; v < pose.size(); ++v)
+        out.emplace_back(solved.row(static_cast<Eigen::Index>(v)).transpose().cast<float>());
+    EXPECT_LT(largestDistance(out, pose), 1e-5);
 }
 
 TEST(TransferSolver, RefusesMarksWithoutAnArea)
