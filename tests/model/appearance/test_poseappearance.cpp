@@ -100,6 +100,36 @@ TEST(PoseAppearance, SeesPosesWhereverTheyStand)
     EXPECT_LT((squaredDistances(places, moved(bentArm(0.5))) - squared.col(1)).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+TEST(PoseAppearance, ComparesPosesByMeanSquaresOfVerticesByHand)
+{
+    std::vector<Vec3f> small;
+    std::vector<Vec3f> large;
+    for (const float side : {-1.0F, 1.0F}) {
+        for (const Vec3f& axis : {Vec3f(1, 0, 0), Vec3f(0, 2, 0), Vec3f(0, 0, 3)}) {
+            small.emplace_back(side * axis);
+            large.emplace_back(1.5F * side * axis);
+        }
+    }
+    // No rigid motion lays them nearer: all are half as far again from the middle, and 1² + 2² + 3² = 14.
+    const PosePlaces places = placesOf({small, large});
+    EXPECT_NEAR(squaredDistances(places)(0, 1), 0.25 * 14 / 3, 1e-5);
+    EXPECT_NEAR(squaredDistances(places, moved(large))[0], 0.25 * 14 / 3, 1e-5);
+}
+
+TEST(PoseAppearance, TakesTheCoefficientsOfTheSamplesThatAreNamed)
+{
+    const AppearanceModel model = modelOfWaves();
+    const Eigen::MatrixXd rows = coefficientRows(model.textures, std::vector<std::int64_t>{5, 2});
+    ASSERT_EQ(rows.rows(), 2);
+    ASSERT_EQ(rows.cols(), model.textures.count);
+    for (Eigen::Index c = 0; c < rows.cols(); ++c) {
+        const auto component = static_cast<std::size_t>(c);
+        const auto count = static_cast<std::size_t>(rows.cols());
+        EXPECT_EQ(rows(0, c), model.textures.coefficients[5 * count + component]);
+        EXPECT_EQ(rows(1, c), model.textures.coefficients[2 * count + component]);
+    }
+}
+
 TEST(PoseAppearance, ComparesSomeVerticesOfManyEvenlySpread)
 {
     const std::vector<Vec3f> many(9001, Vec3f::UnitX());
@@ -123,6 +153,27 @@ TEST(PoseAppearance, HasCoefficientsOfPosesBetweenThoseThatWereCaptured)
     EXPECT_NEAR(look.known.poses->at(strange).textures[0], look.textures.col(0).mean(), 0.1);
     EXPECT_TRUE(look.known.poses->fits(armVertices));
     EXPECT_FALSE(look.known.poses->fits(armVertices - 1));
+}
+
+TEST(PoseAppearance, RegressesTexturesAndWarpsByTheirOwnScales)
+{
+    const BendingLook look;
+    const PosePlaces places = placesOf({bentArm(0), bentArm(0.7), bentArm(1.4)});
+    const RegressionScale trusted{.length = 0.1, .trust = 1e6};
+    const Eigen::MatrixXd textures = look.textures.topRows(3);
+    const Eigen::MatrixXd warps = look.warps.topRows(3);
+    const double ofTexture = textures(2, 0);
+    const double ofWarp = warps(2, 0);
+    const double tolerance = 1e-3 * std::max(textures.cwiseAbs().maxCoeff(), warps.cwiseAbs().maxCoeff());
+    const AppearanceCoefficients first =
+        PoseAppearance(places, textures, warps, {.textures = trusted, .warps = {}}).at(bentArm(1.4));
+    EXPECT_NEAR(first.textures[0], ofTexture, tolerance);
+    EXPECT_NEAR(first.warps[0], warps.col(0).mean(), 1e-3);
+    const AppearanceCoefficients second =
+        PoseAppearance(places, textures, warps, {.textures = {}, .warps = trusted}).at(bentArm(1.4));
+    EXPECT_NEAR(second.textures[0], textures.col(0).mean(), tolerance);
+    EXPECT_NEAR(second.warps[0], ofWarp, 1e-3);
+    EXPECT_GT(std::abs(ofWarp - warps.col(0).mean()), 0.01) << "else they were the same";
 }
 
 TEST(PoseAppearance, ChangesTexturesAsPosesDoWhereThoseOfTheNearestFrameJump)

@@ -112,6 +112,9 @@ TEST(ImageCoding, OnlyWholeChunksBeforeThePixelsCount)
     EXPECT_EQ(codingExponent(test::withPngChunk(png, "gAMA", "abc")), std::nullopt);
     EXPECT_EQ(codingExponent(encodeImage(ramp(), ".jpg")), std::nullopt);
     const auto marked = test::withPngGamma(png, linear);
+    EXPECT_EQ(codingExponent(test::withPngChunk(marked, "iCCP", "abc")), std::nullopt);
+    EXPECT_EQ(codingExponent(std::span(marked).first(33 + 15)), std::nullopt) << "without its checksum";
+    EXPECT_EQ(codingExponent(std::span(marked).first(33 + 16)), 1);
     for (std::size_t length = 0; length < marked.size(); ++length)
         codingExponent(std::span(marked).first(length)); // reads nothing behind the end
     auto behind = png;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/document/madeclips.h"
+#include "model/project/steps/appearanceposes.h"
 #include "tests/model/project/lookproject.h"
 #include "tests/model/project/quickvariation.h"
 
@@ -10,7 +11,8 @@ using namespace quadrille;
 using namespace quadrille::test;
 using ::testing::Contains;
 using ::testing::ElementsAre;
-using ::testing::Not;
+using ::testing::FloatNear;
+using ::testing::Pointwise;
 
 namespace {
 
@@ -46,6 +48,64 @@ TEST_F(AppearancePoses, AreLearnedWhereThereAreVariations)
     project.variations.clear();
     std::filesystem::remove_all(results());
     EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/look/model"));
+}
+
+TEST_F(AppearancePoses, AreSomeOfManySpreadOverAllTakes)
+{
+    std::vector<AppearanceRow> rows;
+    for (const auto& [name, count] : {std::pair("slow", 300), std::pair("quick", 200)}) {
+        for (int i = 0; i < count; ++i)
+            rows.push_back({name, FrameIndex(i % quickFrames), std::ssize(rows)});
+    }
+    SequenceOpener opener(project, folder.path(), results());
+    const KnownPoses known = knownPoses(opener, rows);
+    ASSERT_EQ(known.rows.size(), 400U);
+    EXPECT_EQ(known.places.count(), 400);
+    EXPECT_EQ(known.rows[100].row, 125);
+    EXPECT_EQ(known.rows.back().row, 498);
+    EXPECT_THAT(known.names, ElementsAre("slow", "quick"));
+    ASSERT_EQ(known.takes.size(), 400U);
+    EXPECT_EQ(std::ranges::count(known.takes, 0), 240);
+    EXPECT_EQ(known.takes[239], 0);
+    EXPECT_EQ(known.takes[240], 1);
+}
+
+TEST_F(AppearancePoses, HaveScalesOfTheirOwnForTexturesAndWarps)
+{
+    for (int frame = 0; frame < slowFrames; ++frame) { // the light changes whatever the pose
+        Image texture = slowPattern(frame);
+        for (std::uint8_t& value : texture.pixels)
+            value = static_cast<std::uint8_t>(value * (5 + frame * 7 % 5) / 10);
+        writeImage(texture, textureFile("slow", frame));
+    }
+    run("appearance");
+    SequenceOpener opener(project, folder.path(), results());
+    const auto appearances = readAppearances(results(), folder.path(), look());
+    ASSERT_TRUE(appearances && appearances->poses);
+    const AppearanceModel& model = *appearances->model;
+    std::vector<AppearanceRow> rows;
+    std::vector<std::int64_t> numbers;
+    for (const AppearanceFrame& frame : model.frames) {
+        numbers.push_back(std::ssize(rows));
+        rows.push_back({frame.sequence, frame.frame, numbers.back()});
+    }
+    const KnownPoses known = knownPoses(opener, rows);
+    const Eigen::MatrixXd distances = squaredDistances(known.places);
+    const Eigen::MatrixXd textures = coefficientRows(model.textures, numbers);
+    const Eigen::MatrixXd warps = coefficientRows(model.warps, numbers);
+    const PoseScales scales{.textures = foundScale(distances, textures, known.takes),
+                            .warps = foundScale(distances, warps, known.takes)};
+    EXPECT_NE(scales.textures, scales.warps);
+    EXPECT_THAT(column<double>("appearance/look/pose-scales", "trust"),
+                ElementsAre(scales.textures.trust, scales.warps.trust));
+    EXPECT_THAT(column<double>("appearance/look/pose-scales", "length"),
+                ElementsAre(scales.textures.length, scales.warps.length));
+    const Frame pose = opener.open("slow")->sequence.frame(FrameIndex(3));
+    const auto expected = PoseAppearance(known.places, textures, warps, scales).at(pose.positions());
+    const auto found = appearances->poses->at(pose.positions());
+    // Known coefficients are of single precision there.
+    EXPECT_THAT(found.textures, Pointwise(FloatNear(0.01F), expected.textures));
+    EXPECT_THAT(found.warps, Pointwise(FloatNear(0.001F), expected.warps));
 }
 
 TEST_F(AppearancePoses, MakeTheTexturesOfVariations)
