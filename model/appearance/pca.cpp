@@ -7,8 +7,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <tbb/cache_aligned_allocator.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -21,55 +23,60 @@ std::size_t filledUp(std::int64_t size, std::size_t unit)
     return (static_cast<std::size_t>(size) + unit - 1) / unit * unit;
 }
 
-/// How the values of samples are cut: into blocks that fit a thread's share of memory.
+/// How the values of samples are cut: into blocks of about so many bytes.
 struct Blocks
 {
     std::int64_t length = 0;
     std::int64_t count = 0;
 
-    explicit Blocks(const SampleSet& samples)
+    Blocks(const SampleSet& samples, std::int64_t bytes)
     {
-        constexpr std::int64_t values = 16 << 18; // 16 MB
         const auto depth = static_cast<std::int64_t>(pcaDepth);
+        const auto values = bytes / static_cast<std::int64_t>(sizeof(float));
         length = std::clamp(values / samples.count / depth * depth, depth, 128 * depth);
         count = (samples.size + length - 1) / length;
     }
 };
 
-/// Some values of all samples, a row for each sample, with zeros in rows and columns that fill up.
+constexpr std::int64_t bytesOfSums = 16 << 20;        ///< a thread's share of memory
+constexpr std::int64_t bytesOfCombinations = 1 << 20; ///< a core's cache: each component reads all of a block
+
+/// Some values of all samples, a row for each sample, with zeros in columns that fill up; rows that fill up
+/// hold anything. Threads read one block after the other into the same memory.
 struct Block
 {
     std::int64_t first = 0;
-    std::int64_t values = 0;
+    std::size_t values = 0;
     std::size_t depth = 0;
     std::size_t stride = 0;
     bool isWhole = true;
     std::vector<double> mean;
     std::vector<float, tbb::cache_aligned_allocator<float>> rows;
+
+    float* row(std::int64_t sample) { return rows.data() + static_cast<std::size_t>(sample) * stride; }
 };
 
-Block readBlock(const SampleSet& samples, const Blocks& blocks, std::int64_t index, const Progress& progress)
+using ThreadBlocks = tbb::enumerable_thread_specific<Block>;
+
+void readBlock(Block& block, const SampleSet& samples, const Blocks& blocks, std::int64_t index,
+               const Progress& progress)
 {
-    Block block;
     block.first = index * blocks.length;
-    block.values = std::min(blocks.length, samples.size - block.first);
-    block.depth = filledUp(block.values, pcaDepth);
+    block.values = static_cast<std::size_t>(std::min(blocks.length, samples.size - block.first));
+    block.depth = filledUp(static_cast<std::int64_t>(block.values), pcaDepth);
     block.stride = block.depth + 16; // no power of two, as rows would then meet in the cache
     block.rows.resize(filledUp(samples.count, pcaRows) * block.stride);
-    block.mean.resize(static_cast<std::size_t>(block.values));
+    block.isWhole = true;
+    block.mean.assign(block.values, 0);
     for (std::int64_t s = 0; s < samples.count; ++s) {
-        const std::span row(block.rows.data() + static_cast<std::size_t>(s) * block.stride,
-                            block.mean.size());
+        const std::span row(block.row(s), block.values);
         samples.read(s, block.first, row);
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            block.mean[k] += double{row[k]};
-            block.isWhole = block.isWhole && std::abs(row[k]) <= 255 && row[k] == std::floor(row[k]);
-        }
+        std::fill(block.row(s) + block.values, block.row(s + 1), 0.0F);
+        block.isWhole = addRow(row.data(), row.size(), block.mean.data()) && block.isWhole;
         progress.report(s, samples.count);
     }
     for (double& mean : block.mean)
         mean /= static_cast<double>(samples.count);
-    return block;
 }
 
 /// Takes a value from all of each column.
@@ -79,7 +86,7 @@ void subtract(Block& block, std::int64_t samples, const Offset& offsetOf)
     std::vector<float> offsets(block.mean.size());
     std::transform(block.mean.begin(), block.mean.end(), offsets.begin(), offsetOf);
     for (std::int64_t s = 0; s < samples; ++s) {
-        float* row = block.rows.data() + static_cast<std::size_t>(s) * block.stride;
+        float* row = block.row(s);
         for (std::size_t k = 0; k < offsets.size(); ++k)
             row[k] -= offsets[k];
     }
@@ -87,10 +94,10 @@ void subtract(Block& block, std::int64_t samples, const Offset& offsetOf)
 
 /// Products of all pairs of samples in a block, below and on the diagonal, four rows after the other. They
 /// are taken from a place near the mean, a whole number where the values are.
-std::vector<double> productsIn(const SampleSet& samples, const Blocks& blocks, std::int64_t index,
-                               const Progress& progress)
+std::vector<double> productsIn(Block& block, const SampleSet& samples, const Blocks& blocks,
+                               std::int64_t index, const Progress& progress)
 {
-    Block block = readBlock(samples, blocks, index, progress.part(0, 0.5));
+    readBlock(block, samples, blocks, index, progress.part(0, 0.5));
     subtract(block, samples.count,
              [&](double mean) { return static_cast<float>(block.isWhole ? std::round(mean) : mean); });
     const std::size_t rows = filledUp(samples.count, pcaRows);
@@ -107,13 +114,16 @@ std::vector<double> productsIn(const SampleSet& samples, const Blocks& blocks, s
 }
 
 /// Means of a block, then its part of each combination.
-std::vector<float> combinationsIn(const SampleSet& samples, const Blocks& blocks, std::int64_t index,
-                                  const Eigen::MatrixXd& weights, const Progress& progress)
+TaskSet::Result combinationsIn(Block& block, const SampleSet& samples, const Blocks& blocks,
+                               std::int64_t index, const Eigen::MatrixXd& weights, const Progress& progress)
 {
-    Block block = readBlock(samples, blocks, index, progress.part(0, 0.5));
+    readBlock(block, samples, blocks, index, progress.part(0, 0.5));
     subtract(block, samples.count, [](double mean) { return static_cast<float>(mean); });
-    std::vector<float> values(block.mean.begin(), block.mean.end());
     const Eigen::Index count = weights.cols();
+    const std::size_t bytes = block.values * sizeof(float);
+    TaskSet::Result result((static_cast<std::size_t>(count) + 1) * bytes);
+    const std::vector<float> mean(block.mean.begin(), block.mean.end());
+    std::memcpy(result.data(), mean.data(), bytes);
     std::vector<double> four(static_cast<std::size_t>(samples.count) * pcaRows);
     std::vector<float> sums(pcaRows * block.stride);
     for (Eigen::Index first = 0; first < count; first += pcaRows) {
@@ -125,30 +135,27 @@ std::vector<float> combinationsIn(const SampleSet& samples, const Blocks& blocks
                     weights(s, first + c);
         combineRows(block.rows.data(), static_cast<std::size_t>(samples.count), block.stride, block.depth,
                     four.data(), sums.data());
-        for (Eigen::Index c = 0; c < some; ++c) {
-            const float* row = sums.data() + static_cast<std::size_t>(c) * block.stride;
-            values.insert(values.end(), row, row + block.values);
-        }
+        for (Eigen::Index c = 0; c < some; ++c)
+            std::memcpy(result.data() + static_cast<std::size_t>(first + c + 1) * bytes,
+                        sums.data() + static_cast<std::size_t>(c) * block.stride, bytes);
         progress.part(0.5, 1).report(first, count);
     }
-    return values;
+    return result;
 }
 
-/// Turns components whose largest entry is negative.
+/// Turns components whose largest absolute entry is negative.
 void turn(LinearSpace& space, std::int64_t samples, std::int64_t count)
 {
-    for (std::int64_t c = 0; c < count; ++c) {
-        float* component = space.components.data() + c * space.size();
-        const float* largest = std::max_element(component, component + space.size(),
-                                                [](float a, float b) { return std::abs(a) < std::abs(b); });
-        if (*largest >= 0)
-            continue;
-        std::transform(component, component + space.size(), component, std::negate());
+    tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t c) {
+        const std::span component(space.components.data() + c * space.size(),
+                                  static_cast<std::size_t>(space.size()));
+        if (!turnRow(component.data(), component.size()))
+            return;
         for (std::int64_t s = 0; s < samples; ++s) {
             double& coefficient = space.coefficients[static_cast<std::size_t>(s * count + c)];
             coefficient = -coefficient;
         }
-    }
+    });
 }
 
 void refuseNothing(const SampleSet& samples)
@@ -162,7 +169,8 @@ void refuseNothing(const SampleSet& samples)
 Eigen::MatrixXd centredProducts(const SampleSet& samples, const Progress& progress, const Executor& executor)
 {
     refuseNothing(samples);
-    const Blocks blocks(samples);
+    const Blocks blocks(samples, bytesOfSums);
+    ThreadBlocks own;
     const std::size_t rows = filledUp(samples.count, pcaRows);
     std::vector<double> sums(rows * (rows + pcaRows) / 2);
     for (std::int64_t begin = 0; begin < blocks.count; begin += wave) {
@@ -170,8 +178,8 @@ Eigen::MatrixXd centredProducts(const SampleSet& samples, const Progress& progre
         std::vector<std::vector<double>> parts(static_cast<std::size_t>(count));
         executor.run(makeTasks<double>(
                          count,
-                         [&](std::int64_t task, const Progress& own) {
-                             return productsIn(samples, blocks, begin + task, own);
+                         [&](std::int64_t task, const Progress& progressOfTask) {
+                             return productsIn(own.local(), samples, blocks, begin + task, progressOfTask);
                          },
                          [&](std::int64_t task, std::span<const double> part) {
                              parts[static_cast<std::size_t>(task)].assign(part.begin(), part.end());
@@ -201,17 +209,21 @@ void combineSamples(const SampleSet& samples, const Eigen::MatrixXd& weights, co
                     const Progress& progress, const Executor& executor)
 {
     refuseNothing(samples);
-    const Blocks blocks(samples);
-    executor.run(makeTasks<float>(
-                     blocks.count,
-                     [&](std::int64_t task, const Progress& own) {
-                         return combinationsIn(samples, blocks, task, weights, own);
-                     },
-                     [&](std::int64_t task, std::span<const float> values) {
-                         const std::size_t length =
-                             values.size() / (static_cast<std::size_t>(weights.cols()) + 1);
-                         store(task * blocks.length, values.first(length), values.subspan(length));
-                     }),
+    const Blocks blocks(samples, bytesOfCombinations);
+    ThreadBlocks own;
+    executor.run({.count = blocks.count,
+                  .compute =
+                      [&](std::int64_t task, const Progress& progressOfTask) {
+                          return combinationsIn(own.local(), samples, blocks, task, weights, progressOfTask);
+                      },
+                  .store =
+                      [&](std::int64_t task, std::span<const std::byte> result) {
+                          const std::span values(reinterpret_cast<const float*>(result.data()),
+                                                 result.size() / sizeof(float));
+                          const std::size_t length =
+                              values.size() / (static_cast<std::size_t>(weights.cols()) + 1);
+                          store(task * blocks.length, values.first(length), values.subspan(length));
+                      }},
                  progress);
 }
 

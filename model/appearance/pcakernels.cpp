@@ -4,6 +4,8 @@
 
 #include "model/core/simd.h"
 
+#include <cmath>
+
 namespace quadrille {
 
 namespace {
@@ -53,6 +55,18 @@ inline __attribute__((always_inline)) void addTiles(const float* rows, std::size
 } // namespace
 
 QUADRILLE_SIMD_CLONES
+bool addRow(const float* row, std::size_t count, double* sums)
+{
+    int others = 0;
+#pragma omp simd reduction(| : others)
+    for (std::size_t k = 0; k < count; ++k) {
+        sums[k] += double{row[k]};
+        others |= std::abs(row[k]) <= 255.0F && row[k] == std::floor(row[k]) ? 0 : 1;
+    }
+    return others == 0;
+}
+
+QUADRILLE_SIMD_CLONES
 void addRowProducts(const float* rows, std::size_t stride, std::size_t depth, std::size_t first, bool isWhole,
                     double* sums)
 {
@@ -81,6 +95,24 @@ void combineRows(const float* rows, std::size_t count, std::size_t stride, std::
             for (std::size_t lane = 0; lane < lanes; ++lane)
                 sums[row * stride + from + lane] = static_cast<float>(part[row][lane]);
     }
+}
+
+QUADRILLE_SIMD_CLONES
+bool turnRow(float* row, std::size_t count)
+{
+    float least = 0;
+    float most = 0;
+#pragma omp simd reduction(min : least) reduction(max : most)
+    for (std::size_t k = 0; k < count; ++k) {
+        least = row[k] < least ? row[k] : least;
+        most = row[k] > most ? row[k] : most;
+    }
+    if (-least <= most)
+        return false;
+#pragma omp simd
+    for (std::size_t k = 0; k < count; ++k)
+        row[k] = -row[k];
+    return true;
 }
 
 } // namespace quadrille

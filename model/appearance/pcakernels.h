@@ -10,6 +10,9 @@ inline constexpr std::size_t pcaRows = 4; ///< samples are handled by so many at
 /// Values are handled by so many at a time: in single precision so many products of bytes have an exact sum.
 inline constexpr std::size_t pcaDepth = 256;
 
+/// Adds the values of a row to sums. \return whether all are whole numbers of −255 … 255.
+bool addRow(const float* row, std::size_t count, double* sums);
+
 /// Adds the products of four rows with those up to them.
 /// \param rows  of `stride` values each, of which the first `depth` count, a multiple of pcaDepth.
 /// \param first  of the four, a multiple of pcaRows.
@@ -24,5 +27,8 @@ void addRowProducts(const float* rows, std::size_t stride, std::size_t depth, st
 /// \param sums  4 × stride; `depth` of each are written, a multiple of 8.
 void combineRows(const float* rows, std::size_t count, std::size_t stride, std::size_t depth,
                  const double* weights, float* sums);
+
+/// Turns the signs of a row whose largest absolute value is negative. \return whether it did.
+bool turnRow(float* row, std::size_t count);
 
 } // namespace quadrille
