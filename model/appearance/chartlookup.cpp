@@ -19,18 +19,15 @@ ChartLookup::ChartLookup(UsedTexels used) : m_used(std::move(used))
 {
     m_charts.resize(cell(m_used.width, m_used.height) + 1);
     m_indices.assign(m_charts.size(), none);
+    const auto width = static_cast<std::uint32_t>(m_used.width);
     for (std::size_t k = 0; k < m_used.texels.size(); ++k) {
-        const auto [x, y] = place(k);
+        const std::uint32_t texel = m_used.texels[k];
+        const auto [x, y] = m_places.emplace_back(
+            std::array{static_cast<int>(texel % width), static_cast<int>(texel / width)});
         m_charts[cell(x, y)] = static_cast<std::uint16_t>(m_used.charts[k] + 1);
         m_indices[cell(x, y)] = static_cast<std::uint32_t>(k);
     }
     findSources();
-}
-
-std::array<int, 2> ChartLookup::place(std::size_t texel) const
-{
-    const auto width = static_cast<std::uint32_t>(m_used.width);
-    return {static_cast<int>(m_used.texels[texel] % width), static_cast<int>(m_used.texels[texel] / width)};
 }
 
 void ChartLookup::findSources()
@@ -64,14 +61,14 @@ void ChartLookup::findSources()
 
 bool ChartLookup::isInside(const Vec2f& place, std::uint16_t chart) const
 {
-    const float left = std::floor(place.x());
-    const float top = std::floor(place.y());
-    if (!(left >= 0 && top >= 0 && left < static_cast<float>(m_used.width) &&
-          top < static_cast<float>(m_used.height)))
+    if (!(place.x() >= 0 && place.y() >= 0 && place.x() < static_cast<float>(m_used.width) &&
+          place.y() < static_cast<float>(m_used.height)))
         return false;
-    const std::uint16_t* charts = m_charts.data() + cell(static_cast<int>(left), static_cast<int>(top));
-    const bool isWide = place.x() > left;
-    const bool isHigh = place.y() > top;
+    const int left = static_cast<int>(place.x());
+    const int top = static_cast<int>(place.y());
+    const std::uint16_t* charts = m_charts.data() + cell(left, top);
+    const bool isWide = place.x() > static_cast<float>(left);
+    const bool isHigh = place.y() > static_cast<float>(top);
     const int below = m_used.width + 1;
     return charts[0] == chart && (!isWide || charts[1] == chart) && (!isHigh || charts[below] == chart) &&
            (!isWide || !isHigh || charts[below + 1] == chart);
@@ -137,24 +134,22 @@ bool ChartLookup::isSquareInside(int left, int top, std::uint16_t chart) const
     return true;
 }
 
-std::array<float, 3> ChartLookup::cubic(std::span<const float> values, int left, int top,
-                                        const Vec2f& part) const
+std::array<float, 3> ChartLookup::cubic(const float* values, int left, int top, const Vec2f& part) const
 {
     const CubicWeights x = cubicWeights(part.x());
     const CubicWeights y = cubicWeights(part.y());
-    const std::array across{x.w0, x.w1, x.w2, x.w3};
     const std::array down{y.w0, y.w1, y.w2, y.w3};
-    std::array<float, 3> sums{};
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) {
-            const float weight =
-                across[static_cast<std::size_t>(column)] * down[static_cast<std::size_t>(row)];
-            const float* value =
-                values.data() + std::size_t{3} * m_indices[cell(left - 1 + column, top - 1 + row)];
-            for (std::size_t c = 0; c < 3; ++c)
-                sums[c] += weight * value[c];
-        }
-    return sums;
+    Eigen::Array4f sums = Eigen::Array4f::Zero(); // the last counts nothing: it is the next texel's first
+    for (int row = 0; row < 4; ++row) {
+        // Texels of a chart that lie side by side are used texels one after the other.
+        const float* four = values + std::size_t{3} * m_indices[cell(left - 1, top - 1 + row)];
+        const float of = down[static_cast<std::size_t>(row)];
+        sums += x.w0 * of * Eigen::Map<const Eigen::Array4f>(four);
+        sums += x.w1 * of * Eigen::Map<const Eigen::Array4f>(four + 3);
+        sums += x.w2 * of * Eigen::Map<const Eigen::Array4f>(four + 6);
+        sums += x.w3 * of * Eigen::Map<const Eigen::Array4f>(four + 9);
+    }
+    return {sums[0], sums[1], sums[2]};
 }
 
 std::array<float, 3> ChartLookup::linear(std::span<const float> values, std::size_t texel, int left, int top,
@@ -181,14 +176,16 @@ std::array<float, 3> ChartLookup::linear(std::span<const float> values, std::siz
 std::vector<float> ChartLookup::sampled(std::span<const float> values, const std::vector<Vec2f>& field) const
 {
     std::vector<float> moved(values.size());
+    std::vector<float> padded(values.size() + 1); // for the last texel's fourth value
+    std::ranges::copy(values, padded.begin());
     for (std::size_t k = 0; k < field.size(); ++k) {
         const auto [x, y] = place(k);
         const Vec2f at(static_cast<float>(x) + field[k].x(), static_cast<float>(y) + field[k].y());
-        const int left = std::clamp(static_cast<int>(std::floor(at.x())), 0, m_used.width - 1);
-        const int top = std::clamp(static_cast<int>(std::floor(at.y())), 0, m_used.height - 1);
+        const int left = std::clamp(static_cast<int>(at.x()), 0, m_used.width - 1);
+        const int top = std::clamp(static_cast<int>(at.y()), 0, m_used.height - 1);
         const Vec2f part = at - Vec2f(static_cast<float>(left), static_cast<float>(top));
         const auto chart = static_cast<std::uint16_t>(m_used.charts[k] + 1);
-        std::ranges::copy(isSquareInside(left, top, chart) ? cubic(values, left, top, part)
+        std::ranges::copy(isSquareInside(left, top, chart) ? cubic(padded.data(), left, top, part)
                                                            : linear(values, k, left, top, part),
                           moved.begin() + static_cast<std::ptrdiff_t>(3 * k));
     }

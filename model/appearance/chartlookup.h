@@ -21,7 +21,7 @@ public:
     const UsedTexels& used() const { return m_used; }
     std::int64_t count() const { return static_cast<std::int64_t>(m_used.texels.size()); }
     /// Column and row of a used texel.
-    std::array<int, 2> place(std::size_t texel) const;
+    const std::array<int, 2>& place(std::size_t texel) const { return m_places[texel]; }
 
     /// Carries the field from covered texels into the gutters of their charts, then shortens displacements
     /// until a bilinear sample at their end takes texels of the chart only.
@@ -55,14 +55,16 @@ private:
     bool isInside(const Vec2f& place, std::uint16_t chart) const;
     /// Whether the 4 × 4 texels are of the chart that a cubic look-up takes.
     bool isSquareInside(int left, int top, std::uint16_t chart) const;
-    /// Three values between texels of a chart. \param part  of the way to the next column and row.
-    std::array<float, 3> cubic(std::span<const float> values, int left, int top, const Vec2f& part) const;
+    /// Three values between texels of a chart. \param values  three of each used texel, and one more. \param
+    /// part  of the way to the next column and row.
+    std::array<float, 3> cubic(const float* values, int left, int top, const Vec2f& part) const;
     std::array<float, 3> linear(std::span<const float> values, std::size_t texel, int left, int top,
                                 const Vec2f& part) const;
     Vec2f shortened(std::size_t texel, const Vec2f& displacement) const;
     void findSources();
 
     UsedTexels m_used;
+    std::vector<std::array<int, 2>> m_places;
     std::vector<std::uint16_t> m_charts;  ///< of all texels from 1 on; 0 where unused, and beyond the edges
     std::vector<std::uint32_t> m_indices; ///< of all texels among the used ones
     std::vector<std::uint32_t>
