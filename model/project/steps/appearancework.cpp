@@ -3,11 +3,37 @@
 #include "model/project/steps/appearancework.h"
 
 #include "model/core/contenthash.h"
+#include "model/core/file.h"
+#include "model/core/imagecoding.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
 #include "model/project/store/resultplaces.h"
 
+#include <system_error>
+
 namespace quadrille {
+
+namespace {
+
+constexpr auto flowsFolder = "flows";
+
+/// Tells apart what textures show: the same file shows something else once its mark of colours is followed.
+std::string contentOf(const Texture& texture, const Progress& progress)
+{
+    if (texture.file.empty()) {
+        ContentHasher hasher;
+        hasher.addBytes(std::as_bytes(std::span(texture.load()->pixels)));
+        return hasher.hex();
+    }
+    std::string content = hashFile(texture.file, progress);
+    if (texture.marks == ColourMarks::Followed) {
+        if (const auto exponent = codingExponent(readFile(texture.file).bytes()))
+            content += " " + std::to_string(*exponent);
+    }
+    return content;
+}
+
+} // namespace
 
 std::filesystem::path AppearanceWork::folder() const
 {
@@ -43,10 +69,7 @@ FlowFiles AppearanceWork::flows(const AppearanceTraining& training, const Progre
     std::vector<std::string> hashes;
     for (const Texture& texture : training.textures) {
         progress.report(std::ssize(hashes), std::ssize(training.textures));
-        ContentHasher hasher;
-        if (texture.file.empty())
-            hasher.addBytes(std::as_bytes(std::span(texture.load()->pixels)));
-        hashes.push_back(texture.file.empty() ? hasher.hex() : hashFile(texture.file, progress));
+        hashes.push_back(contentOf(texture, progress));
     }
     const TopologyData& layout = training.topology->data();
     const BuildAppearanceOptions usual = options();
@@ -55,7 +78,12 @@ FlowFiles AppearanceWork::flows(const AppearanceTraining& training, const Progre
     settings.add(std::int64_t{usual.alignment.spacing});
     settings.addBytes(std::as_bytes(std::span(layout.uvs)));
     settings.addBytes(std::as_bytes(std::span(layout.triangleUvs)));
-    return {folder() / "flows", std::move(hashes), settings.hex()};
+    // An entry that was renamed finds what it computed under its name of before.
+    std::vector<std::filesystem::path> others;
+    std::error_code error;
+    for (const auto& each : std::filesystem::directory_iterator(folder().parent_path().parent_path(), error))
+        others.push_back(each.path() / folder().filename() / flowsFolder);
+    return {folder() / flowsFolder, std::move(hashes), settings.hex(), std::move(others)};
 }
 
 } // namespace quadrille

@@ -19,7 +19,10 @@ class FlowFiles : public FlowCache
 {
 public:
     /// \param hashes  of each texture's content. \param settings  all else that warps depend on.
-    FlowFiles(std::filesystem::path folder, std::vector<std::string> hashes, std::string settings);
+    /// \param others  folders of the same kind: what lies there and not in the first is copied when it is
+    /// read.
+    FlowFiles(std::filesystem::path folder, std::vector<std::string> hashes, std::string settings,
+              std::vector<std::filesystem::path> others = {});
 
     std::optional<std::vector<float>> get(const Key& key) const override;
     /// What cannot be written is not kept.
@@ -33,6 +36,7 @@ private:
     std::filesystem::path m_folder;
     std::vector<std::string> m_hashes;
     std::string m_settings;
+    std::vector<std::filesystem::path> m_others;
     mutable std::mutex m_mutex;
     mutable std::set<std::filesystem::path> m_used;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/appearancefile.h"
 #include "model/appearance/texturequality.h"
+#include "model/project/steps/appearancework.h"
+#include "tests/model/markedpng.h"
 #include "tests/model/project/lookproject.h"
 
 #include <chrono>
@@ -203,6 +205,41 @@ TEST_F(AppearanceSteps, ComputeNoFlowAgainForAnotherNumberOfComponents)
     EXPECT_THAT(item("appearance/look/coefficients").shape(), ElementsAre(slowFrames + quickFrames, 3));
     EXPECT_EQ(flows(), before);
     EXPECT_THAT(writtenAgain(), ElementsAre());
+}
+
+TEST_F(AppearanceSteps, TakeTheFlowsOfTheirNameOfBefore)
+{
+    run("appearance");
+    const fs::path first = flows().front();
+    const fs::path second = flows().back();
+    ASSERT_NE(textOf(first), textOf(second));
+    folder.write(fs::relative(first, folder.path()).string(), textOf(second));
+    look().name = "renamed";
+    EXPECT_THAT(computed(run("appearance")), ElementsAre("appearance/renamed/model"));
+    EXPECT_EQ(textOf(appearanceFolder(results(), "renamed") / "flows" / first.filename()), textOf(second))
+        << "it was not computed again";
+}
+
+TEST_F(AppearanceSteps, TellFlowsOfLinearTexturesApart)
+{
+    const AppearanceWork work{std::make_shared<SequenceOpener>(project, folder.path(), results()), look(),
+                              projectFile()};
+    const std::vector<float> warp{1, 2};
+    const FlowCache::Key key{.texture = 1, .reference = 0};
+    const auto flowsOf = [&](const fs::path& file, ColourMarks marks) {
+        AppearanceTraining training = appearanceTraining(*work.opener, look());
+        training.textures = {training.textures.front(), {.file = file, .marks = marks}};
+        return work.flows(training);
+    };
+    const auto plain = encodeImage(slowPattern(1), ".png");
+    folder.write("plain.png", textOf(textureFile("slow", 1)));
+    const auto marked = withPngGamma(plain, 100'000);
+    folder.write("marked.png", std::string(reinterpret_cast<const char*>(marked.data()), marked.size()));
+    for (const std::string name : {"plain.png", "marked.png"}) {
+        flowsOf(folder / name, ColourMarks::Ignored).put(key, warp);
+        EXPECT_EQ(flowsOf(folder / name, ColourMarks::Ignored).get(key), warp);
+        EXPECT_EQ(flowsOf(folder / name, ColourMarks::Followed).get(key).has_value(), name == "plain.png");
+    }
 }
 
 TEST_F(AppearanceSteps, ComputeADamagedFlowAgain)
