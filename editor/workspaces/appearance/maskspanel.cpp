@@ -31,6 +31,10 @@ constexpr int largestSize = 100;
 /// Goes through its rows by keys that belong to playing elsewhere.
 class CompletionList : public QListWidget
 {
+public:
+    /// As low as it may be: a scrolled panel whose sentences wrap is as high as all its hints.
+    QSize sizeHint() const override { return {QListWidget::sizeHint().width(), minimumHeight()}; }
+
 protected:
     bool event(QEvent* event) override
     {
