@@ -3041,6 +3041,18 @@
         <source>Pair one beside it.</source>
         <translation>Appariez-en un voisin.</translation>
     </message>
+    <message>
+        <source>No two arms and two legs were found on the template, by which pairs of triangles could be proposed.</source>
+        <translation>Deux bras et deux jambes n’ont pas été trouvés sur le modèle, d’après lesquels des paires de triangles pourraient être proposées.</translation>
+    </message>
+    <message>
+        <source>Pair triangles by hand, or take a pose in which arms and legs stick out.</source>
+        <translation>Appariez des triangles à la main, ou prenez une pose où bras et jambes se détachent du corps.</translation>
+    </message>
+    <message>
+        <source>No two arms and two legs were found on the target, by which pairs of triangles could be proposed.</source>
+        <translation>Deux bras et deux jambes n’ont pas été trouvés sur la cible, d’après lesquels des paires de triangles pourraient être proposées.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>

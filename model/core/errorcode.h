@@ -121,6 +121,8 @@ enum class ErrorCode
     TransferTriangleOfTarget,
     TransferTriangleTwice,
     TransferTriangleFlat,
+    TransferNoLimbsOfTemplate,
+    TransferNoLimbsOfTarget,
 };
 
 } // namespace quadrille

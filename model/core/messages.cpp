@@ -327,6 +327,18 @@ ErrorMessage errorMessage(ErrorCode code)
     case ErrorCode::TransferTriangleFlat:
         return {QUADRILLE_MESSAGE("Triangle {triangle} of the target has no area."),
                 QUADRILLE_MESSAGE("Pair one beside it.")};
+    case ErrorCode::TransferNoLimbsOfTemplate:
+        return {
+            QUADRILLE_MESSAGE(
+                "No two arms and two legs were found on the template, by which pairs of triangles "
+                "could be proposed."),
+            QUADRILLE_MESSAGE("Pair triangles by hand, or take a pose in which arms and legs stick out.")};
+    case ErrorCode::TransferNoLimbsOfTarget:
+        return {
+            QUADRILLE_MESSAGE(
+                "No two arms and two legs were found on the target, by which pairs of triangles "
+                "could be proposed."),
+            QUADRILLE_MESSAGE("Pair triangles by hand, or take a pose in which arms and legs stick out.")};
     }
     return {"", ""};
 }

@@ -89,10 +89,6 @@ private:
             checkClip(transfer.clip, pointer + "/clip");
         if (isMadeOfItself(m_project, "transfers/" + transfer.name))
             invalid(pointer + "/clip", quoted(transfer.name) + " is made of itself", "Break the circle.");
-        if (transfer.pairs.empty())
-            m_problems.push_back(warningAt(pointer,
-                                           "The transfer " + quoted(transfer.name) + " pairs no triangles",
-                                           "Pair triangles of the template with those of the target."));
         std::set<TriangleIndex> seen;
         for (std::size_t i = 0; i < transfer.pairs.size(); ++i) {
             if (!seen.insert(transfer.pairs[i].onTarget).second)

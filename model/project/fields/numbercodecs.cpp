@@ -100,6 +100,8 @@ void readValue(const ObjectReader& reader, const std::string& key, std::vector<T
 void writeValue(Json& json, const std::string& key, const std::vector<TrianglePair>& pairs,
                 const FieldContext&)
 {
+    if (pairs.empty())
+        return;
     Json& list = json[key] = Json::array();
     for (const TrianglePair& pair : pairs)
         list.push_back({pair.onTemplate.value, pair.onTarget.value});
@@ -108,7 +110,9 @@ void writeValue(Json& json, const std::string& key, const std::vector<TrianglePa
 void valueSchema(Json& properties, const std::string& key, Type<std::vector<TrianglePair>>)
 {
     properties[key] = {
-        {"description", "Triangles of the template and of the target that turn alike, counted from 0."},
+        {"description",
+         "Triangles of the template and of the target that turn alike, counted from 0; where they are left "
+         "out, pairs are proposed by arms, legs and head."},
         {"type", "array"},
         {"items",
          {{"type", "array"},

@@ -13,6 +13,7 @@
 #include "model/project/store/tablebuilder.h"
 #include "model/sequence/contacts.h"
 #include "model/synthesis/finishing/contactcorrection.h"
+#include "model/transfer/pairproposal.h"
 #include "model/transfer/placement.h"
 #include "model/transfer/transferclip.h"
 
@@ -115,7 +116,11 @@ private:
     }
 
     MeshSequence openClip(const Progress& progress) const;
-    PosedMesh referencePose(const MeshSequence& clip, const PosedMesh& target, const StepContext& context,
+    std::vector<MeshSequence> takesOfTemplate(const MeshSequence& clip, const Progress& progress) const;
+    std::vector<ProposedPair> pairs(const std::vector<MeshSequence>& takes, const PosedMesh& target,
+                                    const StepContext& context, const Progress& progress) const;
+    PosedMesh referencePose(const std::vector<MeshSequence>& takes, const PosedMesh& target,
+                            std::span<const TrianglePair> pairs, const StepContext& context,
                             const Progress& progress) const;
     Clip corrected(Clip clip, const MeshSequence& performed, const StepContext& context,
                    const Progress& progress) const;
@@ -138,39 +143,71 @@ MeshSequence TransferWork::openClip(const Progress& progress) const
     return clip;
 }
 
-PosedMesh TransferWork::referencePose(const MeshSequence& clip, const PosedMesh& target,
-                                      const StepContext& context, const Progress& progress) const
+/// The clip, and the captured takes of its mesh, or the one that the reference pose is in.
+std::vector<MeshSequence> TransferWork::takesOfTemplate(const MeshSequence& clip,
+                                                        const Progress& progress) const
 {
-    const auto checked = [&](PosedMesh pose, const std::string& name) {
-        if (pose.topology->triangles().size() != clip.topology->triangles().size() ||
-            pose.positions.size() != clip.topology->vertexCount())
-            throwInvalid("“" + name + "” is not of the mesh of “" + m_entry.clip + "”",
-                         "Name a frame of a take of the same character.");
-        return pose;
-    };
-    if (m_entry.reference)
-        return checked(poseOf(openInMetres(m_entry.reference->sequence, progress), m_entry.reference->frame),
-                       m_entry.reference->sequence);
-    std::vector<MeshSequence> candidates{clip};
+    std::vector<MeshSequence> takes{clip};
     for (const std::string& name : templateSequences(project(), m_entry)) {
         MeshSequence sequence = openInMetres(name, progress);
-        if (sequence.topology->vertexCount() == clip.topology->vertexCount())
-            candidates.push_back(std::move(sequence));
+        if (sequence.topology->vertexCount() == clip.topology->vertexCount() &&
+            sequence.topology->triangles().size() == clip.topology->triangles().size())
+            takes.push_back(std::move(sequence));
+        else if (m_entry.reference)
+            throwInvalid("“" + name + "” is not of the mesh of “" + m_entry.clip + "”",
+                         "Name a frame of a take of the same character.");
     }
+    return takes;
+}
+
+std::vector<ProposedPair> TransferWork::pairs(const std::vector<MeshSequence>& takes, const PosedMesh& target,
+                                              const StepContext& context, const Progress& progress) const
+{
+    if (!m_entry.pairs.empty()) {
+        checkPairs(*takes.front().topology, *target.topology, m_entry.pairs);
+        std::vector<ProposedPair> given;
+        for (const TrianglePair& pair : m_entry.pairs)
+            given.push_back({pair, std::numeric_limits<double>::quiet_NaN()});
+        return given;
+    }
+    // Limbs may touch the body where a take begins; then another may do.
+    for (auto take = takes.rbegin(); take != takes.rend(); ++take) {
+        try {
+            const FrameIndex frame = m_entry.reference && take->name == m_entry.reference->sequence
+                                         ? m_entry.reference->frame
+                                         : FrameIndex(0);
+            std::vector<ProposedPair> proposed =
+                proposePairs(poseOf(*take, frame), target, up(), usualPairs, progress);
+            tellInfo(context, std::to_string(proposed.size()) + " pairs of triangles were proposed.");
+            return proposed;
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::TransferNoLimbsOfTemplate || take + 1 == takes.rend())
+                throw;
+        }
+    }
+    throw Error(ErrorCode::TransferNoPairs);
+}
+
+PosedMesh TransferWork::referencePose(const std::vector<MeshSequence>& takes, const PosedMesh& target,
+                                      std::span<const TrianglePair> pairs, const StepContext& context,
+                                      const Progress& progress) const
+{
+    if (m_entry.reference)
+        return poseOf(takes.back(), m_entry.reference->frame);
     double least = std::numeric_limits<double>::infinity();
     PosedMesh best;
     std::string where;
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-        const MeshSequence& candidate = candidates[c];
-        for (FrameIndex f(0); f.value < candidate.frameCount(); ++f) {
-            const double difference = poseDifference(*candidate.topology, candidate.frame(f).positions(),
-                                                     target, m_entry.pairs, up());
+    for (std::size_t t = 0; t < takes.size(); ++t) {
+        const MeshSequence& take = takes[t];
+        for (FrameIndex f(0); f.value < take.frameCount(); ++f) {
+            const double difference =
+                poseDifference(*take.topology, take.frame(f).positions(), target, pairs, up());
             if (difference < least) {
                 least = difference;
-                best = poseOf(candidate, f);
-                where = "frame " + std::to_string(f.value) + " of “" + candidate.name + "”";
+                best = poseOf(take, f);
+                where = "frame " + std::to_string(f.value) + " of “" + take.name + "”";
             }
-            progress.report(static_cast<double>(c) / static_cast<double>(candidates.size()));
+            progress.report(static_cast<double>(t) / static_cast<double>(takes.size()));
         }
     }
     tellInfo(context, "The pose most like the target's is " + where + ".");
@@ -209,17 +246,32 @@ DataTable TransferWork::report(const Transferred& transferred, Clip& clip,
     return std::move(table).table();
 }
 
+/// Which triangles were paired.
+DataTable pairTable(std::span<const ProposedPair> pairs)
+{
+    TableBuilder table("pairs", "Triangles that turn alike, and how alike the places of proposed ones are: 1 "
+                                "where nothing tells them apart.");
+    table.whole("template-triangle").whole("target-triangle").real("quality");
+    for (const ProposedPair& proposed : pairs)
+        table.add({static_cast<std::int64_t>(proposed.pair.onTemplate.value),
+                   static_cast<std::int64_t>(proposed.pair.onTarget.value), proposed.quality});
+    return std::move(table).table();
+}
+
 Result TransferWork::compute(const StepContext& context, const Progress& progress) const
 {
-    if (m_entry.pairs.empty())
-        throw Error(ErrorCode::TransferNoPairs);
     const MeshSequence performed = openClip(progress.part(0, 0.1));
     const auto opened = m_opener->open(m_entry.target.sequence, Progress(progress.token()));
     const PosedMesh target = poseOf(inMetres(opened->sequence), m_entry.target.frame);
-    checkPairs(*performed.topology, *target.topology, m_entry.pairs);
-    const PosedMesh reference = referencePose(performed, target, context, progress.part(0.1, 0.3));
+    const std::vector<MeshSequence> takes = takesOfTemplate(performed, progress);
+    const std::vector<ProposedPair> chosen = pairs(takes, target, context, progress.part(0.1, 0.2));
+    std::vector<TrianglePair> marks;
+    marks.reserve(chosen.size());
+    for (const ProposedPair& proposed : chosen)
+        marks.push_back(proposed.pair);
+    const PosedMesh reference = referencePose(takes, target, marks, context, progress.part(0.2, 0.3));
     Transferred transferred =
-        transferClip(performed, reference, target, m_entry.pairs,
+        transferClip(performed, reference, target, marks,
                      {.field = m_entry.field, .up = up(), .scale = m_entry.scale}, progress.part(0.3, 0.7));
 
     const FrameLayout layout = CharacterFrames(std::span(&opened->sequence, 1)).layout();
@@ -237,6 +289,7 @@ Result TransferWork::compute(const StepContext& context, const Progress& progres
         p *= unitsPerMetre;
     Result result = clipResult(clip, layout, {m_entry.target.sequence}, unitText(metresPerUnit()));
     result.tables.push_back(std::move(frames));
+    result.tables.push_back(pairTable(chosen));
     return result;
 }
 

@@ -53,13 +53,13 @@ TEST_F(TransferSteps, MakeAClipOfTheTarget)
     const auto made = opener.openClip("transfers/slowly");
     const auto slow = opener.open("slow");
     ASSERT_EQ(made->sequence.frameCount(), 14);
-    // All triangles are paired, and they only turn.
+    // All triangles are paired, and they only turn; at rest the scan is bent a little.
     for (FrameIndex f(0); f.value < 14; ++f) {
         const Frame a = made->sequence.frame(f);
         const Frame b = slow->sequence.frame(f);
         for (std::size_t v = 1; v < 10; ++v)
             EXPECT_LT(((a.positions()[v] - a.positions()[0]) - (b.positions()[v] - b.positions()[0])).norm(),
-                      0.02F);
+                      0.07F);
     }
     EXPECT_THAT(column<std::string>("transfers/slowly/frames", "sequence"), ::testing::Each("scan"));
     EXPECT_THAT(column<double>("transfers/slowly/report", "mark-error"), ::testing::Each(::testing::Lt(2)));
@@ -107,7 +107,7 @@ TEST_F(TransferSteps, SayWhatIsWrong)
 {
     const TransferEntry whole = transfer();
     transfer().pairs.clear();
-    EXPECT_THAT(failure(), HasSubstr("No triangles are paired"));
+    EXPECT_THAT(failure(), HasSubstr("No two arms and two legs were found on the template"));
     transfer() = whole;
     transfer().pairs[3].onTarget = TriangleIndex(99);
     EXPECT_THAT(failure(), HasSubstr("Pair 4 names triangle 99 of the target, which has only 8"));

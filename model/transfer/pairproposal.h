@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/progress.h"
+#include "model/transfer/transferclip.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// How many pairs are proposed where nobody says.
+inline constexpr std::size_t usualPairs = 60;
+
+/// A pair that was proposed.
+struct ProposedPair
+{
+    TrianglePair pair;
+    /// How alike the places are, 1 where nothing tells them apart; below about 0.3 it deserves a look.
+    double quality = 0;
+};
+
+/// Pairs of triangles of two humanoids, whatever their poses and proportions: by how far each place is, over
+/// the surface, on its ways between hands, feet and head, and by where the surface faces. The template's
+/// triangles lie as far from each other as they can.
+/// \param reference, target  arms and legs that do not touch each other, feet on the ground.
+/// \param count  how many at most; fewer where several would have one triangle of the target.
+/// \throws Error TransferNoLimbsOfTemplate, TransferNoLimbsOfTarget, Cancelled.
+/// Cost: five surface distances on each mesh, O(count · triangles).
+std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMesh& target, UpAxis up,
+                                       std::size_t count = usualPairs, const Progress& progress = {});
+
+} // namespace quadrille
