@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace quadrille {
 
@@ -141,21 +142,6 @@ void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const 
         for (Vec3f& p : target.at(f))
             p += shift.cast<float>();
     }
-}
-
-std::vector<std::optional<double>> slidesOfSoles(std::span<const std::uint8_t> stands, double fps,
-                                                 const PosedTarget& target, UpAxis up)
-{
-    const auto upward = static_cast<Eigen::Index>(up);
-    const double reach = soleHeight * heightOf(target.at(0), upward);
-    std::vector<std::optional<double>> slides(target.count());
-    for (std::size_t f = 0; f + 1 < target.count(); ++f) {
-        if (stands[f] == 0 || stands[f + 1] == 0)
-            continue;
-        if (const auto way = wayOfSoles(target.at(f), target.at(f + 1), upward, reach))
-            slides[f] = onGround(*way, groundAxes(up)).norm() * fps;
-    }
-    return slides;
 }
 
 } // namespace quadrille

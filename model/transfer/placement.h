@@ -7,7 +7,6 @@
 #include "model/sequence/meshsequence.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,11 +46,5 @@ double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpA
 /// evened out over some hundredths of a second.
 /// \param target  as for scaleOfSteps, the middles of its marks at the origin.
 void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target);
-
-/// How fast what stands slides: the speed over the ground of the vertices that are lowest in a frame and the
-/// next, metres a second. \param stands  as TemplateCourse. \return of each frame; nothing where no foot
-/// stands in both, and in the last one.
-std::vector<std::optional<double>> slidesOfSoles(std::span<const std::uint8_t> stands, double fps,
-                                                 const PosedTarget& target, UpAxis up);
 
 } // namespace quadrille

@@ -12,9 +12,9 @@
 #include "model/project/store/clipresult.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/sequence/contacts.h"
+#include "model/synthesis/clips/stances.h"
 #include "model/synthesis/finishing/contactcorrection.h"
 #include "model/transfer/pairproposal.h"
-#include "model/transfer/placement.h"
 #include "model/transfer/transferclip.h"
 
 #include <algorithm>
@@ -124,7 +124,8 @@ private:
                             const Progress& progress) const;
     Clip corrected(Clip clip, const MeshSequence& performed, const StepContext& context,
                    const Progress& progress) const;
-    DataTable report(const Transferred& transferred, Clip& clip, const MeshSequence& performed) const;
+    DataTable report(const Transferred& transferred, const Clip& clip, const MeshSequence& performed,
+                     const Progress& progress) const;
 
     std::shared_ptr<SequenceOpener> m_opener;
     TransferEntry m_entry;
@@ -229,20 +230,30 @@ Clip TransferWork::corrected(Clip clip, const MeshSequence& performed, const Ste
     }
 }
 
-DataTable TransferWork::report(const Transferred& transferred, Clip& clip,
-                               const MeshSequence& performed) const
+DataTable TransferWork::report(const Transferred& transferred, const Clip& clip,
+                               const MeshSequence& performed, const Progress& progress) const
 {
     TableBuilder table("report",
                        "How each frame came out: the target's volume against that at rest, the mean "
-                       "angle that marked triangles miss, and how fast what stands slides.");
+                       "angle that marked triangles miss, and how fast the feet that stand until the "
+                       "next frame slide.");
     table.whole("frame", "frame").real("volume", "").real("mark-error", "deg").real("skate", "m/s");
-    const PosedTarget posed{clip.positions, clip.topology->vertexCount()};
-    const auto slides =
-        slidesOfSoles(standingFrames(performed.contacts, clip.frameCount()), clip.fps, posed, up());
+    MeshSequence made =
+        makeSequence(m_entry.name, clip.topology,
+                     std::make_shared<MemoryFrames>(clip.positions, clip.topology->vertexCount()), clip.fps);
+    made.contacts = performed.contacts;
+    const Stances stances = findStances(CharacterFrames(std::span(&made, 1)), up(), progress);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t f = 0; f < transferred.markErrors.size(); ++f)
-        table.add({static_cast<std::int64_t>(f), transferred.volume.empty() ? unknown : transferred.volume[f],
-                   transferred.markErrors[f] * 180 / std::numbers::pi, slides[f].value_or(unknown)});
+    for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
+        const auto node = static_cast<NodeIndex>(f);
+        std::optional<double> slide;
+        if (f + 1 < clip.frameCount())
+            slide = slideOf(clip.frame(f), clip.frame(f + 1), stances.at(node) & stances.at(node + 1),
+                            stances, up(), clip.fps);
+        const auto at = static_cast<std::size_t>(f);
+        table.add({f, transferred.volume.empty() ? unknown : transferred.volume[at],
+                   transferred.markErrors[at] * 180 / std::numbers::pi, slide.value_or(unknown)});
+    }
     return std::move(table).table();
 }
 
@@ -282,8 +293,8 @@ Result TransferWork::compute(const StepContext& context, const Progress& progres
               .fps = performed.fps,
               .positions = std::move(transferred.positions),
               .origins = std::vector(transferred.markErrors.size(), origin)};
-    clip = corrected(std::move(clip), performed, context, progress.part(0.7, 1));
-    DataTable frames = report(transferred, clip, performed);
+    clip = corrected(std::move(clip), performed, context, progress.part(0.7, 0.95));
+    DataTable frames = report(transferred, clip, performed, progress.part(0.95, 1));
     const auto unitsPerMetre = static_cast<float>(1 / metresPerUnit());
     for (Vec3f& p : clip.positions)
         p *= unitsPerMetre;
