@@ -3,9 +3,9 @@
 #include "model/transfer/placement.h"
 
 #include "model/core/smoothing.h"
+#include "model/synthesis/clips/ground.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 
@@ -21,19 +21,6 @@ constexpr double leastWay = 0.6;
 constexpr double widestLegs = 1.25;
 /// Of the time over which heights are evened out, seconds.
 constexpr double heightDeviation = 0.06;
-
-using Ground2 = std::array<Eigen::Index, 2>;
-
-Ground2 groundAxes(UpAxis up)
-{
-    const auto axis = static_cast<Eigen::Index>(up);
-    return {(axis + 1) % 3, (axis + 2) % 3};
-}
-
-Vec2d onGround(const Vec3d& v, const Ground2& axes)
-{
-    return {v[axes[0]], v[axes[1]]};
-}
 
 double lowestOf(Positions pose, Eigen::Index up)
 {
@@ -96,8 +83,8 @@ std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, 
 
 double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual)
 {
-    const Ground2 axes = groundAxes(up);
-    const auto upward = static_cast<Eigen::Index>(up);
+    const Ground ground(up);
+    const Eigen::Index upward = ground.upAxis();
     const double height = heightOf(target.at(0), upward);
     const double reach = soleHeight * height;
     double product = 0;
@@ -109,8 +96,8 @@ double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpA
         const auto soles = wayOfSoles(target.at(f), target.at(f + 1), upward, reach);
         if (!soles)
             continue;
-        const Vec2d root = onGround(course.middles[f + 1] - course.middles[f], axes);
-        product -= root.dot(onGround(*soles, axes));
+        const Vec2d root = ground.of(course.middles[f + 1] - course.middles[f]);
+        product -= root.dot(ground.of(*soles));
         square += root.squaredNorm();
         way += root.norm();
     }
@@ -121,8 +108,7 @@ double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpA
 
 void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target)
 {
-    const Ground2 axes = groundAxes(up);
-    const auto upward = static_cast<Eigen::Index>(up);
+    const Eigen::Index upward = Ground(up).upAxis();
     const double ground = groundOf(course);
     const Vec3d& begin = course.middles.front();
     // Of the middle of the marks: what the template's would be, scaled, and what the soles ask for.
@@ -135,10 +121,8 @@ void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const 
     asked = evened(asked, heightDeviation * course.fps);
     for (std::size_t f = 0; f < target.count(); ++f) {
         const Vec3d way = course.middles[f] - begin;
-        Vec3d shift = scale * way;
-        shift[upward] += asked[f];
-        for (const Eigen::Index axis : axes)
-            shift[axis] += begin[axis];
+        Vec3d shift = begin + scale * way;
+        shift[upward] += asked[f] - begin[upward];
         for (Vec3f& p : target.at(f))
             p += shift.cast<float>();
     }

@@ -37,8 +37,6 @@ public:
     void turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
               std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const;
 
-    std::size_t markCount() const { return m_marks.size(); }
-
 private:
     const HarmonicSystem* m_system;
     std::vector<std::size_t> m_marks;

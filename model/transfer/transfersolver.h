@@ -63,8 +63,6 @@ public:
     /// triangles is at the origin.
     void pose(const MarkRotations& rotations, MutablePositions out, Scratch& scratch) const;
 
-    const TransferTarget& target() const { return *m_target; }
-
 private:
     void place(Scratch& scratch) const;
     Eigen::Quaterniond rotationAt(std::uint32_t vertex, const Scratch& scratch) const;
