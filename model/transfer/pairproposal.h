@@ -10,7 +10,7 @@
 namespace quadrille {
 
 /// How many pairs are proposed where nobody says.
-inline constexpr std::size_t usualPairs = 60;
+inline constexpr std::size_t usualPairs = 120;
 
 /// A pair that was proposed.
 struct ProposedPair

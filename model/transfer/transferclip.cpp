@@ -7,6 +7,7 @@
 #include "model/geometry/surfacevolume.h"
 #include "model/geometry/trianglelogs.h"
 #include "model/transfer/placement.h"
+#include "model/transfer/posecorrection.h"
 #include "model/transfer/transfersolver.h"
 
 #include <Eigen/Geometry>
@@ -120,6 +121,15 @@ TemplateMotion follow(const MeshSequence& clip, Positions reference, std::span<c
     return motion;
 }
 
+/// What marks turn by after each has turned once beforehand.
+void afterwards(std::vector<MarkRotations>& rotations, std::span<const Eigen::Quaterniond> beforehand)
+{
+    for (MarkRotations& frame : rotations) {
+        for (std::size_t m = 0; m < beforehand.size(); ++m)
+            frame.marks[m] = frame.marks[m] * beforehand[m];
+    }
+}
+
 /// Measures poses of a target that were made.
 class TransferMeter
 {
@@ -222,8 +232,9 @@ Transferred transferClip(const MeshSequence& clip, const PosedMesh& reference, c
         marks.push_back(pair.onTarget);
     const TransferSolver solver(solid, marks, settings.field);
     progress.report(0.05);
-    const TemplateMotion motion =
-        follow(clip, reference.positions, pairs, settings.up, progress.part(0.05, 0.2));
+    TemplateMotion motion = follow(clip, reference.positions, pairs, settings.up, progress.part(0.05, 0.2));
+    if (settings.correctsPose)
+        afterwards(motion.rotations, poseCorrections(reference, {target.topology, rest}, pairs));
 
     const std::size_t vertices = rest.size();
     const std::size_t count = motion.rotations.size();

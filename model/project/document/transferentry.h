@@ -22,6 +22,7 @@ struct TransferEntry
     std::vector<TrianglePair> pairs;
     FieldKind field = FieldKind::Quaternions;
     std::optional<double> scale;  ///< of the way; what the target's steps ask for
+    bool correctsPose = true;     ///< limbs held otherwise than in the reference pose are brought there
     bool correctsContacts = true; ///< feet that stand in the clip stand still
     UnknownKeys unknown;
 

@@ -30,6 +30,9 @@ void describe(Fields& f, Type<TransferEntry>)
                      "where it is left out.",
              .limits = Limits::between(0.01, 100, "The scale of a transfer must be from 0.01 to 100",
                                        "Leave it out, as usual.")});
+    f.field("pose_correction", &E::correctsPose,
+            {.help = "Limbs that the target holds otherwise than the template does in the reference pose are "
+                     "brought there first: the arms of a scan in A- or T-pose. Else the difference stays."});
     f.field("contact_correction", &E::correctsContacts,
             {.help = "Feet that stand in the clip stand still in the result as well."});
     f.unknown(&E::unknown);

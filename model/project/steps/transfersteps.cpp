@@ -281,9 +281,10 @@ Result TransferWork::compute(const StepContext& context, const Progress& progres
     for (const ProposedPair& proposed : chosen)
         marks.push_back(proposed.pair);
     const PosedMesh reference = referencePose(takes, target, marks, context, progress.part(0.2, 0.3));
-    Transferred transferred =
-        transferClip(performed, reference, target, marks,
-                     {.field = m_entry.field, .up = up(), .scale = m_entry.scale}, progress.part(0.3, 0.7));
+    Transferred transferred = transferClip(
+        performed, reference, target, marks,
+        {.field = m_entry.field, .up = up(), .correctsPose = m_entry.correctsPose, .scale = m_entry.scale},
+        progress.part(0.3, 0.7));
 
     const FrameLayout layout = CharacterFrames(std::span(&opened->sequence, 1)).layout();
     const FrameProvenance origin{
@@ -314,6 +315,7 @@ std::vector<BuildStep> makeTransferSteps(const StepMaking& making)
         BuildStep step;
         step.name = clipStepOf(work->clipName());
         step.dataPrefix = work->clipName();
+        step.version = 2;
         step.character = work->character();
         step.settings = work->settings();
         step.files = [work](const Progress& progress) { return work->files(progress); };

@@ -17,6 +17,7 @@ inline TransferEntry fullTransfer()
     entry.pairs = {{TriangleIndex(12), TriangleIndex(340)}, {TriangleIndex(9), TriangleIndex(3)}};
     entry.field = FieldKind::Logarithms;
     entry.scale = 0.9;
+    entry.correctsPose = false;
     entry.correctsContacts = false;
     return entry;
 }
