@@ -53,7 +53,8 @@ std::optional<Vec3d> wayOfSoles(Positions before, Positions after, Eigen::Index 
     return count > 0 ? std::optional<Vec3d>(sum / count) : std::nullopt;
 }
 
-/// Where feet rest: the middle one of the lowest points of frames in which a foot stands.
+} // namespace
+
 double groundOf(const TemplateCourse& course)
 {
     std::vector<double> heights;
@@ -67,8 +68,6 @@ double groundOf(const TemplateCourse& course)
     std::ranges::nth_element(heights, middle);
     return *middle;
 }
-
-} // namespace
 
 std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, std::int64_t frames)
 {
@@ -106,25 +105,29 @@ double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpA
     return std::clamp(product / square, usual / widestLegs, usual * widestLegs);
 }
 
+Vec3d placeOf(const TemplateCourse& course, std::size_t frame, double scale, UpAxis up, Positions pose)
+{
+    const Eigen::Index upward = Ground(up).upAxis();
+    const Vec3d& begin = course.middles.front();
+    Vec3d place = begin + scale * (course.middles[frame] - begin);
+    place[upward] = course.ground + scale * (course.lowest[frame] - course.ground) - lowestOf(pose, upward);
+    return place;
+}
+
 void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target)
 {
     const Eigen::Index upward = Ground(up).upAxis();
-    const double ground = groundOf(course);
-    const Vec3d& begin = course.middles.front();
-    // Of the middle of the marks: what the template's would be, scaled, and what the soles ask for.
-    std::vector<double> asked;
-    asked.reserve(target.count());
+    std::vector<Vec3d> places;
+    std::vector<double> unevenness; // by what heights lie over the template's way
     for (std::size_t f = 0; f < target.count(); ++f) {
-        const double soles = ground + scale * (course.lowest[f] - ground) - lowestOf(target.at(f), upward);
-        asked.push_back(soles - scale * (course.middles[f] - begin)[upward]);
+        places.push_back(placeOf(course, f, scale, up, target.at(f)));
+        unevenness.push_back(places[f][upward] - scale * course.middles[f][upward]);
     }
-    asked = evened(asked, heightDeviation * course.fps);
+    unevenness = evened(unevenness, heightDeviation * course.fps);
     for (std::size_t f = 0; f < target.count(); ++f) {
-        const Vec3d way = course.middles[f] - begin;
-        Vec3d shift = begin + scale * way;
-        shift[upward] += asked[f] - begin[upward];
+        places[f][upward] = unevenness[f] + scale * course.middles[f][upward];
         for (Vec3f& p : target.at(f))
-            p += shift.cast<float>();
+            p += places[f].cast<float>();
     }
 }
 

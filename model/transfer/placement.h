@@ -19,7 +19,11 @@ struct TemplateCourse
     std::vector<double> lowest;       ///< height of its lowest vertex, in each frame
     std::vector<std::uint8_t> stands; ///< 1 where a foot stands, by its contacts
     double fps = 25;
+    double ground = 0; ///< height at which feet rest, see groundOf
 };
+
+/// The middle one of the lowest points of frames in which a foot stands, else the lowest of all.
+double groundOf(const TemplateCourse& course);
 
 /// Poses of a target, one after the other: frames × vertices, metres.
 struct PosedTarget
@@ -41,9 +45,12 @@ std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, 
 /// is within a quarter of it.
 double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual);
 
-/// Moves each frame of a target, without turning it: over the ground as the template from where it begins, by
-/// a scale; up or down so that the lowest vertex is as high above the ground as the template's, by the scale,
-/// evened out over some hundredths of a second.
+/// By how much a pose of one frame must be moved: over the ground as the template from where it begins, by a
+/// scale; up or down so that its lowest vertex is as high above the ground as the template's, by the scale.
+/// \param pose  the middle of its marks at the origin.
+Vec3d placeOf(const TemplateCourse& course, std::size_t frame, double scale, UpAxis up, Positions pose);
+
+/// Moves each frame of a target so, with heights evened out over some hundredths of a second.
 /// \param target  as for scaleOfSteps, the middles of its marks at the origin.
 void placeOnGround(const TemplateCourse& course, double scale, UpAxis up, const PosedTarget& target);
 

@@ -42,7 +42,7 @@ MarkedPlaces placesOf(const PosedMesh& mesh, std::span<const TrianglePair> pairs
     for (const TrianglePair& pair : pairs) {
         const Triangle& t = mesh.topology->triangles()[(pair.*which).value];
         const auto corner = [&](std::size_t c) -> Vec3d { return mesh.positions[t[c].value].cast<double>(); };
-        places.middles.push_back((corner(0) + corner(1) + corner(2)) / 3);
+        places.middles.push_back(middleOf(t, mesh.positions));
         places.normals.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized());
         mean += places.middles.back() / static_cast<double>(pairs.size());
     }

@@ -52,6 +52,9 @@ struct Transferred
     std::vector<double> markErrors; ///< of each frame: mean angle that marked triangles miss, radians
 };
 
+/// Of the corners of a triangle in a pose.
+Vec3d middleOf(const Triangle& triangle, Positions pose);
+
 /// \throws Error TransferNoPairs, TransferTriangleOfTemplate and …OfTarget (there is no such triangle),
 /// TransferTriangleTwice (one of the target in two pairs).
 void checkPairs(const Topology& reference, const Topology& target, std::span<const TrianglePair> pairs);
@@ -60,6 +63,9 @@ void checkPairs(const Topology& reference, const Topology& target, std::span<con
 /// middles at one place, radians.
 double turnOntoTemplate(const PosedMesh& reference, const PosedMesh& target,
                         std::span<const TrianglePair> pairs, UpAxis up);
+
+/// A pose turned about the up axis through the origin, radians.
+std::vector<Vec3f> turned(Positions pose, double angle, UpAxis up);
 
 /// How unlike a pose of a template is to a target's: the root of the mean squared distance of the middles of
 /// marked triangles, turned about the up axis, scaled and shifted best; shares of the target's extent.

@@ -5,16 +5,15 @@
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
-#include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/buildstep.h"
+#include "model/project/steps/transferbodies.h"
 #include "model/project/store/clipresult.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/sequence/contacts.h"
 #include "model/synthesis/clips/stances.h"
 #include "model/synthesis/finishing/contactcorrection.h"
-#include "model/transfer/pairproposal.h"
 #include "model/transfer/transferclip.h"
 
 #include <algorithm>
@@ -97,31 +96,6 @@ private:
         return names;
     }
 
-    MeshSequence inMetres(const MeshSequence& sequence) const
-    {
-        return transformed(sequence, static_cast<float>(metresPerUnit()) * Eigen::Matrix3f::Identity());
-    }
-    MeshSequence openInMetres(const std::string& sequence, const Progress& progress) const
-    {
-        return inMetres(m_opener->open(sequence, Progress(progress.token()))->sequence);
-    }
-
-    static PosedMesh poseOf(const MeshSequence& sequence, FrameIndex frame)
-    {
-        if (frame.value < 0 || frame.value >= sequence.frameCount())
-            throwInvalid("“" + sequence.name + "” has no frame " + std::to_string(frame.value),
-                         "Write a frame from 0 to " + std::to_string(sequence.frameCount() - 1) + ".");
-        const Frame pose = sequence.frame(frame);
-        return {sequence.topology, {pose.positions().begin(), pose.positions().end()}};
-    }
-
-    MeshSequence openClip(const Progress& progress) const;
-    std::vector<MeshSequence> takesOfTemplate(const MeshSequence& clip, const Progress& progress) const;
-    std::vector<ProposedPair> pairs(const std::vector<MeshSequence>& takes, const PosedMesh& target,
-                                    const StepContext& context, const Progress& progress) const;
-    PosedMesh referencePose(const std::vector<MeshSequence>& takes, const PosedMesh& target,
-                            std::span<const TrianglePair> pairs, const StepContext& context,
-                            const Progress& progress) const;
     Clip corrected(Clip clip, const MeshSequence& performed, const StepContext& context,
                    const Progress& progress) const;
     DataTable report(const Transferred& transferred, const Clip& clip, const MeshSequence& performed,
@@ -131,88 +105,11 @@ private:
     TransferEntry m_entry;
 };
 
-void tellInfo(const StepContext& context, std::string text)
+TransferBodies::Tell telling(const StepContext& context)
 {
-    context.tell({.severity = Issue::Severity::Info, .context = {.values = {{"text", std::move(text)}}}});
-}
-
-MeshSequence TransferWork::openClip(const Progress& progress) const
-{
-    MeshSequence clip = inMetres(m_opener->openClip(m_entry.clip, Progress(progress.token()))->sequence);
-    if (clip.contacts.empty())
-        clip.contacts = detectContacts(clip, {.up = up()}, progress);
-    return clip;
-}
-
-/// The clip, and the captured takes of its mesh, or the one that the reference pose is in.
-std::vector<MeshSequence> TransferWork::takesOfTemplate(const MeshSequence& clip,
-                                                        const Progress& progress) const
-{
-    std::vector<MeshSequence> takes{clip};
-    for (const std::string& name : templateSequences(project(), m_entry)) {
-        MeshSequence sequence = openInMetres(name, progress);
-        if (sequence.topology->vertexCount() == clip.topology->vertexCount() &&
-            sequence.topology->triangles().size() == clip.topology->triangles().size())
-            takes.push_back(std::move(sequence));
-        else if (m_entry.reference)
-            throwInvalid("“" + name + "” is not of the mesh of “" + m_entry.clip + "”",
-                         "Name a frame of a take of the same character.");
-    }
-    return takes;
-}
-
-std::vector<ProposedPair> TransferWork::pairs(const std::vector<MeshSequence>& takes, const PosedMesh& target,
-                                              const StepContext& context, const Progress& progress) const
-{
-    if (!m_entry.pairs.empty()) {
-        checkPairs(*takes.front().topology, *target.topology, m_entry.pairs);
-        std::vector<ProposedPair> given;
-        for (const TrianglePair& pair : m_entry.pairs)
-            given.push_back({pair, std::numeric_limits<double>::quiet_NaN()});
-        return given;
-    }
-    // Limbs may touch the body where a take begins; then another may do.
-    for (auto take = takes.rbegin(); take != takes.rend(); ++take) {
-        try {
-            const FrameIndex frame = m_entry.reference && take->name == m_entry.reference->sequence
-                                         ? m_entry.reference->frame
-                                         : FrameIndex(0);
-            std::vector<ProposedPair> proposed =
-                proposePairs(poseOf(*take, frame), target, up(), usualPairs, progress);
-            tellInfo(context, std::to_string(proposed.size()) + " pairs of triangles were proposed.");
-            return proposed;
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::TransferNoLimbsOfTemplate || take + 1 == takes.rend())
-                throw;
-        }
-    }
-    throw Error(ErrorCode::TransferNoPairs);
-}
-
-PosedMesh TransferWork::referencePose(const std::vector<MeshSequence>& takes, const PosedMesh& target,
-                                      std::span<const TrianglePair> pairs, const StepContext& context,
-                                      const Progress& progress) const
-{
-    if (m_entry.reference)
-        return poseOf(takes.back(), m_entry.reference->frame);
-    double least = std::numeric_limits<double>::infinity();
-    PosedMesh best;
-    std::string where;
-    for (std::size_t t = 0; t < takes.size(); ++t) {
-        const MeshSequence& take = takes[t];
-        for (FrameIndex f(0); f.value < take.frameCount(); ++f) {
-            const double difference =
-                poseDifference(*take.topology, take.frame(f).positions(), target, pairs, up());
-            if (difference < least) {
-                least = difference;
-                best = poseOf(take, f);
-                where = "frame " + std::to_string(f.value) + " of “" + take.name + "”";
-            }
-            progress.report(static_cast<double>(t) / static_cast<double>(takes.size()));
-        }
-    }
-    tellInfo(context, "The pose most like the target's is " + where + ".");
-    return best;
+    return [tell = context.tell](std::string text) {
+        tell({.severity = Issue::Severity::Info, .context = {.values = {{"text", std::move(text)}}}});
+    };
 }
 
 Clip TransferWork::corrected(Clip clip, const MeshSequence& performed, const StepContext& context,
@@ -225,7 +122,7 @@ Clip TransferWork::corrected(Clip clip, const MeshSequence& performed, const Ste
     } catch (const Error& error) {
         if (error.code() != ErrorCode::NoFeet)
             throw;
-        tellInfo(context, "The target has no feet that could be kept standing.");
+        telling(context)("The target has no feet that could be kept standing.");
         return clip;
     }
 }
@@ -271,26 +168,22 @@ DataTable pairTable(std::span<const ProposedPair> pairs)
 
 Result TransferWork::compute(const StepContext& context, const Progress& progress) const
 {
-    const MeshSequence performed = openClip(progress.part(0, 0.1));
-    const auto opened = m_opener->open(m_entry.target.sequence, Progress(progress.token()));
-    const PosedMesh target = poseOf(inMetres(opened->sequence), m_entry.target.frame);
-    const std::vector<MeshSequence> takes = takesOfTemplate(performed, progress);
-    const std::vector<ProposedPair> chosen = pairs(takes, target, context, progress.part(0.1, 0.2));
+    const TransferBodies bodies(*m_opener, m_entry, progress.part(0, 0.1));
+    const MeshSequence& performed = bodies.performed();
+    const std::vector<ProposedPair> chosen = bodies.pairs(telling(context), progress.part(0.1, 0.2));
     std::vector<TrianglePair> marks;
     marks.reserve(chosen.size());
     for (const ProposedPair& proposed : chosen)
         marks.push_back(proposed.pair);
-    const PosedMesh reference = referencePose(takes, target, marks, context, progress.part(0.2, 0.3));
-    Transferred transferred = transferClip(
-        performed, reference, target, marks,
-        {.field = m_entry.field, .up = up(), .correctsPose = m_entry.correctsPose, .scale = m_entry.scale},
-        progress.part(0.3, 0.7));
+    const PosedMesh reference = bodies.referencePose(marks, telling(context), progress.part(0.2, 0.3));
+    Transferred transferred = transferClip(performed, reference, bodies.target(), marks, bodies.settings(),
+                                           progress.part(0.3, 0.7));
 
-    const FrameLayout layout = CharacterFrames(std::span(&opened->sequence, 1)).layout();
+    const FrameLayout layout = CharacterFrames(std::span(&bodies.targetSequence()->sequence, 1)).layout();
     const FrameProvenance origin{
         .source = layout.firstOf(0) + static_cast<NodeIndex>(m_entry.target.frame.value),
         .destination = layout.firstOf(0) + static_cast<NodeIndex>(m_entry.target.frame.value)};
-    Clip clip{.topology = target.topology,
+    Clip clip{.topology = bodies.target().topology,
               .fps = performed.fps,
               .positions = std::move(transferred.positions),
               .origins = std::vector(transferred.markErrors.size(), origin)};

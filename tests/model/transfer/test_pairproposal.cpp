@@ -3,10 +3,12 @@
 #include "model/core/bounds.h"
 #include "model/core/error.h"
 #include "model/sequence/io/registry.h"
+#include "model/transfer/bodyplaces.h"
 #include "model/transfer/pairproposal.h"
 #include "tests/model/codeof.h"
 #include "tests/model/transfer/transferfixture.h"
 
+#include <array>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -86,6 +88,99 @@ TEST_F(PairProposal, LeftStaysLeft)
         const double onto = middleOf(m_heavy, proposed.pair.onTarget).x();
         EXPECT_TRUE(std::abs(from) <= 0.1 || from * onto > 0) << from << " and " << onto;
     }
+}
+
+TEST_F(PairProposal, PlacesHaveOnesOnTheOtherSide)
+{
+    const BodyPlaces places(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    double error = 0;
+    int count = 0;
+    for (std::size_t t = 0; t < places.size(); t += 97) {
+        if (!places.knows(TriangleIndex(t)))
+            continue;
+        const Vec3d own = middleOf(m_average, TriangleIndex(t));
+        const auto other = places.mirrored(TriangleIndex(t));
+        ASSERT_TRUE(other);
+        error += (middleOf(m_average, *other) - Vec3d(-own.x(), own.y(), own.z())).norm();
+        ++count;
+    }
+    ASSERT_GT(count, 20);
+    EXPECT_LT(error / count, 0.02 * boundsOf(m_average.positions).size().y());
+}
+
+TEST_F(PairProposal, RegionsAreThoseOfBodies)
+{
+    const BodyPlaces places(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    std::array<Vec3d, bodyRegions> middles;
+    std::array<int, bodyRegions> counts{};
+    middles.fill(Vec3d::Zero());
+    for (std::size_t t = 0; t < places.size(); ++t) {
+        if (!places.knows(TriangleIndex(t)))
+            continue;
+        const auto region = static_cast<std::size_t>(places.regionOf(TriangleIndex(t)));
+        middles[region] += middleOf(m_average, TriangleIndex(t));
+        ++counts[region];
+    }
+    for (std::size_t r = 0; r < bodyRegions; ++r) {
+        ASSERT_GT(counts[r], 10) << r;
+        middles[r] /= counts[r];
+    }
+    const auto at = [&](BodyRegion region) { return middles[static_cast<std::size_t>(region)]; };
+    EXPECT_GT(at(BodyRegion::Head).y(), at(BodyRegion::Trunk).y());
+    EXPECT_GT(at(BodyRegion::Trunk).y(), at(BodyRegion::LeftThigh).y());
+    EXPECT_GT(at(BodyRegion::LeftThigh).y(), at(BodyRegion::LeftShin).y());
+    // Who looks along z has the left hand at positive x.
+    EXPECT_GT(at(BodyRegion::LeftLowerArm).x(), at(BodyRegion::LeftUpperArm).x());
+    EXPECT_LT(at(BodyRegion::RightLowerArm).x(), at(BodyRegion::RightUpperArm).x());
+    EXPECT_GT(at(BodyRegion::LeftShin).x(), 0);
+    EXPECT_LT(at(BodyRegion::RightThigh).x(), 0);
+}
+
+TEST_F(PairProposal, LikenessTellsPlacesApart)
+{
+    const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    const BodyPlaces onto(m_heavy, UpAxis::Y, ErrorCode::TransferNoLimbsOfTarget);
+    for (std::size_t t = 0; t < from.size(); t += 1009) {
+        const TriangleIndex triangle(t);
+        if (!from.knows(triangle) || !onto.knows(triangle))
+            continue;
+        EXPECT_DOUBLE_EQ(BodyPlaces::likeness(from, triangle, from, triangle), 1);
+        EXPECT_GT(BodyPlaces::likeness(from, triangle, onto, triangle), 0.3);
+        EXPECT_DOUBLE_EQ(BodyPlaces::likeness(from, triangle, onto, triangle),
+                         BodyPlaces::likeness(onto, triangle, from, triangle));
+        if (from.regionOf(triangle) == BodyRegion::LeftLowerArm) {
+            EXPECT_LT(BodyPlaces::likeness(from, triangle, from, *from.mirrored(triangle)), 0.2);
+        }
+    }
+}
+
+TEST_F(PairProposal, PairsAreMirrored)
+{
+    const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    const BodyPlaces onto(m_heavy, UpAxis::Y, ErrorCode::TransferNoLimbsOfTarget);
+    int arms = 0;
+    for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y)) {
+        if (from.regionOf(proposed.pair.onTemplate) != BodyRegion::RightUpperArm)
+            continue;
+        const auto mirrored = mirroredPair(proposed.pair, from, onto);
+        ASSERT_TRUE(mirrored);
+        EXPECT_EQ(from.regionOf(mirrored->onTemplate), BodyRegion::LeftUpperArm);
+        EXPECT_EQ(onto.regionOf(mirrored->onTarget), BodyRegion::LeftUpperArm);
+        ++arms;
+    }
+    EXPECT_GT(arms, 0);
+}
+
+TEST_F(PairProposal, PartsWithoutPairsAreTold)
+{
+    const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    std::vector<TrianglePair> pairs;
+    EXPECT_EQ(regionsWithoutPairs(pairs, from).size(), bodyRegions);
+    for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y)) {
+        if (from.regionOf(proposed.pair.onTemplate) != BodyRegion::LeftShin)
+            pairs.push_back(proposed.pair);
+    }
+    EXPECT_EQ(regionsWithoutPairs(pairs, from), std::vector{BodyRegion::LeftShin});
 }
 
 TEST(PairProposalOfOtherThings, IsRefused)

@@ -28,6 +28,7 @@ TemplateCourse straightAhead(int frames, double step)
         course.lowest.push_back(0.02);
         course.stands.push_back(1);
     }
+    course.ground = groundOf(course);
     return course;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "model/transfer/livetransfer.h"
 #include "tests/model/codeof.h"
 #include "tests/model/transfer/transferfixture.h"
 
@@ -116,6 +117,28 @@ TEST_F(TransferClip, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(many.positions, one.positions);
     EXPECT_EQ(many.markErrors, one.markErrors);
     EXPECT_EQ(many.volume, one.volume);
+}
+
+TEST_F(TransferClip, PosesThatAreLookedAtAreThoseOfTheResult)
+{
+    for (const FieldKind field : {FieldKind::Quaternions, FieldKind::Logarithms}) {
+        const TransferSettings settings{.field = field, .scale = 1.1};
+        const Transferred result = transfer(settings);
+        const auto solid = std::make_shared<const TransferTarget>(*m_target.topology, m_target.positions);
+        const LiveTransfer live(PreparedTransfer(m_clip, m_reference, m_target, solid, m_pairs, settings),
+                                settings, 100);
+        ASSERT_EQ(live.frameCount(), frames);
+        ASSERT_EQ(live.vertexCount(), m_target.positions.size());
+        std::vector<Vec3f> pose(m_target.positions.size());
+        for (std::size_t f = 0; f < frames; ++f) {
+            live.read(FrameIndex(static_cast<std::int64_t>(f)), pose);
+            const std::vector<Vec3f> metres = moved(pose, [](const Vec3d& p) -> Vec3d { return p / 100; });
+            EXPECT_LT(largestDistance(metres, frameOf(result, f)), 1e-5);
+            const Vec3d apart = centroid(metres) - centroid(frameOf(result, f));
+            EXPECT_LT(std::hypot(apart.x(), apart.z()), 1e-5);
+            EXPECT_LT(std::abs(apart.y()), 0.05); // heights are not evened
+        }
+    }
 }
 
 TEST_F(TransferClip, TakesTheScaleThatIsGiven)

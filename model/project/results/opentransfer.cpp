@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/project/results/opentransfer.h"
+
+#include "model/project/document/findentry.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/document/throwinvalid.h"
+#include "model/project/steps/transferbodies.h"
+#include "model/transfer/livetransfer.h"
+
+#include <algorithm>
+
+namespace quadrille {
+
+namespace {
+
+const TransferEntry& entryOf(const Project& project, const std::string& name)
+{
+    const TransferEntry* entry = findTransfer(project, name);
+    if (entry == nullptr)
+        throwInvalid("There is no transfer “" + name + "”", QUADRILLE_MESSAGE("Correct the name."));
+    return *entry;
+}
+
+/// One pose as a sequence.
+MeshSequence still(const MeshSequence& like, std::vector<Vec3f> metres, double unitsPerMetre)
+{
+    for (Vec3f& p : metres)
+        p *= static_cast<float>(unitsPerMetre);
+    MeshSequence sequence = makeSequence(
+        like.name, like.topology,
+        std::make_shared<MemoryFrames>(std::move(metres), like.topology->vertexCount()), like.fps);
+    sequence.textures = like.textures;
+    return sequence;
+}
+
+/// Null where no limbs are found.
+std::shared_ptr<const BodyPlaces> placesOf(const PosedMesh& mesh, UpAxis up, const Progress& progress)
+{
+    try {
+        return std::make_shared<const BodyPlaces>(mesh, up, ErrorCode::TransferNoLimbsOfTemplate, progress);
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::Cancelled)
+            throw;
+        return nullptr;
+    }
+}
+
+bool haveOneTarget(const TransferPreview& a, const TransferPreview& b)
+{
+    return a.target == b.target && a.entry.target == b.entry.target;
+}
+
+std::vector<TrianglePair> pairsOf(const std::vector<ProposedPair>& proposed)
+{
+    std::vector<TrianglePair> pairs;
+    pairs.reserve(proposed.size());
+    for (const ProposedPair& each : proposed)
+        pairs.push_back(each.pair);
+    return pairs;
+}
+
+/// How alike the places of pairs by hand are, where both bodies have known places.
+void rate(TransferPreview& preview)
+{
+    if (!preview.templatePlaces || !preview.targetPlaces)
+        return;
+    for (ProposedPair& each : preview.pairs) {
+        if (preview.templatePlaces->knows(each.pair.onTemplate) &&
+            preview.targetPlaces->knows(each.pair.onTarget))
+            each.quality = BodyPlaces::likeness(*preview.templatePlaces, each.pair.onTemplate,
+                                                *preview.targetPlaces, each.pair.onTarget);
+    }
+}
+
+} // namespace
+
+TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
+                                       const TransferPreviewPointer& before, const Progress& progress)
+{
+    SequenceOpener& opener = *results.opener();
+    const double unitsPerMetre = 1 / opener.project().settings.axes.metresPerUnit;
+    const UpAxis up = opener.project().settings.axes.up;
+    auto made = std::make_shared<TransferPreview>();
+    TransferPreview& preview = *made;
+    preview.entry = entryOf(results.project(), name);
+    const TransferBodies bodies(opener, preview.entry, progress.part(0, 0.2));
+    const PosedMesh& target = bodies.target();
+    preview.target = bodies.targetSequence();
+    preview.performed = opener.openClip(preview.entry.clip, Progress(progress.token()))->sequence;
+    const bool hasTarget = before != nullptr && haveOneTarget(*before, preview);
+    const bool hasTemplate = before != nullptr && before->performed.topology == preview.performed.topology;
+    preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
+    preview.rest = still(preview.target->sequence, target.positions, unitsPerMetre);
+    PosedMesh reference = bodies.anyPose();
+    preview.templatePlaces =
+        hasTemplate ? before->templatePlaces : placesOf(reference, up, progress.part(0.3, 0.4));
+    try {
+        const auto ignore = [](const std::string& /*text*/) {};
+        preview.solid = hasTarget && before->solid
+                            ? before->solid
+                            : std::make_shared<const TransferTarget>(*target.topology, target.positions);
+        preview.pairs = bodies.pairs(ignore, progress.part(0.4, 0.5));
+        rate(preview);
+        const std::vector<TrianglePair> pairs = pairsOf(preview.pairs);
+        reference = bodies.referencePose(pairs, ignore, progress.part(0.5, 0.6));
+        PreparedTransfer prepared(bodies.performed(), reference, target, preview.solid, pairs,
+                                  bodies.settings(), progress.part(0.6, 1));
+        preview.rest =
+            still(preview.target->sequence, turned(target.positions, prepared.turn(), up), unitsPerMetre);
+        preview.posed = makeSequence(
+            name, target.topology,
+            std::make_shared<LiveTransfer>(std::move(prepared), bodies.settings(), unitsPerMetre),
+            preview.performed.fps);
+        preview.posed->textures = preview.target->sequence.textures;
+    } catch (const Error& error) {
+        if (error.code() == ErrorCode::Cancelled)
+            throw;
+        preview.failure = error;
+    }
+    preview.reference = still(preview.performed, std::move(reference.positions), unitsPerMetre);
+    progress.report(1);
+    return made;
+}
+
+TransferResultPointer openTransfer(const ProjectResults& results, const std::string& name,
+                                   const Progress& progress)
+{
+    auto made = std::make_shared<TransferResult>();
+    made->entry = entryOf(results.project(), name);
+    const std::string clip = "transfers/" + name;
+    const std::string step = clipStepOf(clip);
+    const FreshResults fresh = results.get({step}, progress.part(0, 0.95));
+    for (const DataTable& table : fresh.resultOf(step)->tables) {
+        if (table.name == "report")
+            made->report = table;
+    }
+    made->sequence = results.opener()->openClip(clip, progress.part(0.95, 1))->sequence;
+    return made;
+}
+
+} // namespace quadrille

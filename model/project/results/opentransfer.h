@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/error.h"
+#include "model/project/document/transferentry.h"
+#include "model/project/media/opensequence.h"
+#include "model/project/results/projectresults.h"
+#include "model/transfer/bodyplaces.h"
+#include "model/transfer/pairproposal.h"
+#include "model/transfer/transfersolver.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// A transfer as it can be looked at before it is computed; a value that several threads may hold. Positions
+/// are in the project's unit.
+struct TransferPreview
+{
+    TransferEntry entry; ///< as it was then
+    std::shared_ptr<const OpenedSequence> target;
+    std::shared_ptr<const TransferTarget> solid;      ///< of the target; null where it is no mesh to solve on
+    std::shared_ptr<const BodyPlaces> templatePlaces; ///< null where no limbs were found, so for the next
+    std::shared_ptr<const BodyPlaces> targetPlaces;
+    MeshSequence performed;          ///< the clip
+    MeshSequence reference;          ///< one frame: the pose of the template that the target's is like
+    MeshSequence rest;               ///< one frame: the target, turned as the template
+    std::vector<ProposedPair> pairs; ///< of the entry, else proposed ones
+    /// The target performs the clip: its poses are made when they are read. Without contacts corrected.
+    std::optional<MeshSequence> posed;
+    std::optional<Error> failure; ///< why there are no pairs, or nothing is posed
+};
+
+using TransferPreviewPointer = std::shared_ptr<const TransferPreview>;
+
+/// \param before  an earlier one of the same transfer, whose parts are used again where they still hold; may
+/// be null. \throws Error where clip or target cannot be opened, or have no such frame; ProjectInvalid where
+/// there is no such transfer; Cancelled.
+TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
+                                       const TransferPreviewPointer& before, const Progress& progress = {});
+
+/// A transfer that was computed.
+struct TransferResult
+{
+    TransferEntry entry;   ///< as it was then
+    MeshSequence sequence; ///< as “clip:transfers/NAME” has it
+    DataTable report;      ///< of each frame: volume, mark-error (degrees), skate (m/s)
+};
+
+using TransferResultPointer = std::shared_ptr<const TransferResult>;
+
+/// Opens a transfer from its results, which are brought up to date first. \throws Error of the step that
+/// failed; ProjectInvalid where there is no such transfer; Cancelled.
+TransferResultPointer openTransfer(const ProjectResults& results, const std::string& name,
+                                   const Progress& progress = {});
+
+} // namespace quadrille

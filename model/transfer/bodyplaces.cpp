@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/transfer/bodyplaces.h"
+
+#include "model/transfer/solidtarget.h"
+#include "model/variation/parts/bodylimbs.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+/// Left hand, right hand, left foot, right foot, head.
+constexpr std::size_t landmarks = 5;
+constexpr std::size_t headLandmark = 4;
+/// How much of a distance over the body two opposite normals are worth.
+constexpr float normalWeight = 0.15F;
+/// A pair whose places differ so much is worth half.
+constexpr double halfQuality = 0.12;
+
+/// Landmarks between which places are told: each place by how far it is on the way from one to the other.
+constexpr std::array<std::array<std::size_t, 2>, 8> ways{
+    {{0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 2}, {1, 3}, {0, 1}, {2, 3}}};
+
+/// The way that each becomes where left and right are exchanged.
+constexpr std::array<std::size_t, 8> mirroredWays{1, 0, 3, 2, 5, 4, 6, 7};
+/// Those of them that then lead the other way: their share is one less what it was.
+constexpr std::size_t firstWayAcross = 6;
+
+/// How far parts reach from the landmark that they end in, shares of the ways from feet to head.
+constexpr float headReach = 0.16F;
+constexpr float lowerArmReach = 0.26F;
+constexpr float armReach = 0.42F;
+constexpr float shinReach = 0.28F;
+constexpr float legReach = 0.47F;
+
+/// The landmarks of a body: the distances of all vertices from each.
+struct Landmarks
+{
+    std::array<std::vector<float>, landmarks> distances;
+    Vec3d across = Vec3d::UnitX(); ///< from right to left
+    Vec3d up = Vec3d::UnitY();
+};
+
+Landmarks landmarksOf(const SurfaceGraph& graph, UpAxis up, const Progress& progress)
+{
+    BodyLimbs limbs = findLimbs(graph, up, progress);
+    Landmarks found;
+    found.up = limbs.up;
+    const auto place = [&](VertexIndex v) -> Vec3d { return graph.pose()[v.value].cast<double>(); };
+    // The head is what lies farthest from all limbs.
+    VertexIndex head;
+    float farthest = -1;
+    for (std::uint32_t v = 0; v < graph.vertexCount(); ++v) {
+        const float nearest = std::min({limbs.hands[0].distances[v], limbs.hands[1].distances[v],
+                                        limbs.feet[0].distances[v], limbs.feet[1].distances[v]});
+        if (std::isfinite(nearest) && nearest > farthest) {
+            farthest = nearest;
+            head = VertexIndex(v);
+        }
+    }
+    Vec3d across = place(limbs.feet[0].tip) - place(limbs.feet[1].tip) + place(limbs.hands[0].tip) -
+                   place(limbs.hands[1].tip);
+    across -= across.dot(found.up) * found.up;
+    if (across.norm() > 0)
+        found.across = across.normalized();
+    found.distances = {std::move(limbs.hands[0].distances), std::move(limbs.hands[1].distances),
+                       std::move(limbs.feet[0].distances), std::move(limbs.feet[1].distances),
+                       distancesFrom(graph, head)};
+    return found;
+}
+
+/// The mean way from the feet to the head over the surface.
+float heightOver(const Landmarks& found)
+{
+    const std::vector<float>& head = found.distances[headLandmark];
+    float sum = 0;
+    for (const std::size_t foot : {std::size_t{2}, std::size_t{3}})
+        sum += head[static_cast<std::size_t>(std::ranges::min_element(found.distances[foot]) -
+                                             found.distances[foot].begin())];
+    return sum / 2;
+}
+
+/// By the landmark that is nearest, and how far that is.
+BodyRegion regionAt(const std::array<float, landmarks>& distances, float height)
+{
+    const auto nearest = std::ranges::min_element(distances);
+    const float share = *nearest / height;
+    switch (nearest - distances.begin()) {
+    case 0:
+        return share < lowerArmReach ? BodyRegion::LeftLowerArm
+               : share < armReach    ? BodyRegion::LeftUpperArm
+                                     : BodyRegion::Trunk;
+    case 1:
+        return share < lowerArmReach ? BodyRegion::RightLowerArm
+               : share < armReach    ? BodyRegion::RightUpperArm
+                                     : BodyRegion::Trunk;
+    case 2:
+        return share < shinReach  ? BodyRegion::LeftShin
+               : share < legReach ? BodyRegion::LeftThigh
+                                  : BodyRegion::Trunk;
+    case 3:
+        return share < shinReach  ? BodyRegion::RightShin
+               : share < legReach ? BodyRegion::RightThigh
+                                  : BodyRegion::Trunk;
+    default:
+        return share < headReach ? BodyRegion::Head : BodyRegion::Trunk;
+    }
+}
+
+} // namespace
+
+BodyPlaces::BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs, const Progress& progress)
+    : m_places(mesh.topology->triangles().size())
+{
+    const SolidTarget solid(*mesh.topology, mesh.positions);
+    const SurfaceGraph graph(solid.topology(),
+                             std::vector<Vec3f>(solid.positions().begin(), solid.positions().end()));
+    Landmarks found;
+    try {
+        found = landmarksOf(graph, up, progress);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::PartsNoLimbs)
+            throw;
+        throw Error(withoutLimbs);
+    }
+    Eigen::Matrix3d axes;
+    axes << found.across.transpose(), found.up.transpose(), found.across.cross(found.up).transpose();
+    const float height = heightOver(found);
+    for (std::size_t t = 0; t < m_places.size(); ++t) {
+        const auto own = solid.triangleOf(TriangleIndex(t));
+        if (!own)
+            continue;
+        const Triangle& triangle = solid.topology()->triangles()[*own];
+        Place& place = m_places[t];
+        std::array<float, landmarks> distances{};
+        for (std::size_t l = 0; l < landmarks; ++l) {
+            for (const VertexIndex v : triangle)
+                distances[l] += found.distances[l][v.value] / 3;
+        }
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            const auto& [from, to] = ways[w];
+            place.values[static_cast<Eigen::Index>(w)] = distances[from] / (distances[from] + distances[to]);
+        }
+        const auto corner = [&](std::size_t c) -> Vec3d {
+            return graph.pose()[triangle[c].value].cast<double>();
+        };
+        const Vec3d normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        place.isUsable = normal.norm() > 0 && place.values.allFinite();
+        if (!place.isUsable)
+            continue;
+        place.values.tail<3>() = normalWeight * (axes * normal.normalized()).cast<float>();
+        place.region = regionAt(distances, height);
+    }
+}
+
+std::optional<TriangleIndex> BodyPlaces::nearest(const Values& values) const
+{
+    std::optional<TriangleIndex> best;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t t = 0; t < m_places.size(); ++t) {
+        const float difference = (m_places[t].values - values).squaredNorm();
+        if (m_places[t].isUsable && difference < least) {
+            least = difference;
+            best = TriangleIndex(t);
+        }
+    }
+    return best;
+}
+
+std::optional<TriangleIndex> BodyPlaces::nearest(const BodyPlaces& of, TriangleIndex triangle) const
+{
+    return nearest(of.m_places[triangle.value].values);
+}
+
+std::optional<TriangleIndex> BodyPlaces::mirrored(TriangleIndex triangle) const
+{
+    const Values& own = m_places[triangle.value].values;
+    Values values = own;
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+        const float share = own[static_cast<Eigen::Index>(mirroredWays[w])];
+        values[static_cast<Eigen::Index>(w)] = w < firstWayAcross ? share : 1 - share;
+    }
+    values[static_cast<Eigen::Index>(ways.size())] *= -1; // what faces left then faces right
+    return nearest(values);
+}
+
+double BodyPlaces::likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB)
+{
+    const float distance = (a.m_places[ofA.value].values - b.m_places[ofB.value].values).norm();
+    const double difference = static_cast<double>(distance) / halfQuality;
+    return 1 / (1 + difference * difference);
+}
+
+std::optional<TrianglePair> mirroredPair(const TrianglePair& pair, const BodyPlaces& onTemplate,
+                                         const BodyPlaces& onTarget)
+{
+    if (!onTemplate.knows(pair.onTemplate) || !onTarget.knows(pair.onTarget))
+        return std::nullopt;
+    const auto first = onTemplate.mirrored(pair.onTemplate);
+    const auto second = onTarget.mirrored(pair.onTarget);
+    if (!first || !second || *first == pair.onTemplate || *second == pair.onTarget)
+        return std::nullopt;
+    return TrianglePair{*first, *second};
+}
+
+std::vector<BodyRegion> regionsWithoutPairs(std::span<const TrianglePair> pairs, const BodyPlaces& onTemplate)
+{
+    std::array<bool, bodyRegions> held{};
+    for (const TrianglePair& pair : pairs) {
+        if (onTemplate.knows(pair.onTemplate))
+            held[static_cast<std::size_t>(onTemplate.regionOf(pair.onTemplate))] = true;
+    }
+    std::vector<BodyRegion> without;
+    for (std::size_t region = 0; region < bodyRegions; ++region) {
+        if (!held[region])
+            without.push_back(static_cast<BodyRegion>(region));
+    }
+    return without;
+}
+
+} // namespace quadrille

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/core/error.h"
+#include "model/core/progress.h"
+#include "model/sequence/axes.h"
+#include "model/transfer/transferclip.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// What of a body a place belongs to.
+enum class BodyRegion
+{
+    Trunk,
+    Head,
+    LeftUpperArm,
+    LeftLowerArm, ///< and the hand
+    RightUpperArm,
+    RightLowerArm,
+    LeftThigh,
+    LeftShin, ///< and the foot
+    RightThigh,
+    RightShin,
+};
+inline constexpr std::size_t bodyRegions = 10;
+
+/// Where the triangles of a humanoid lie on it, whatever its pose and proportions: by how far each is, over
+/// the surface, on its ways between hands, feet and head, and by where the surface faces. Immutable; safe
+/// from any thread.
+class BodyPlaces
+{
+public:
+    /// \param mesh  arms and legs that do not touch each other, feet on the ground. \param withoutLimbs  what
+    /// is thrown for other meshes: TransferNoLimbsOfTemplate or …OfTarget. \throws Error that, as
+    /// SolidTarget, Cancelled. Cost: five surface distances.
+    BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs, const Progress& progress = {});
+
+    std::size_t size() const { return m_places.size(); }
+    /// Whether it is told where the triangle is: it has an area, and hangs on the body.
+    bool knows(TriangleIndex triangle) const { return m_places[triangle.value].isUsable; }
+    /// \pre knows(triangle).
+    BodyRegion regionOf(TriangleIndex triangle) const { return m_places[triangle.value].region; }
+    /// The triangle that is most at the place of another body's, by `knows`; nothing where none is known.
+    /// \pre of.knows(triangle). Cost: O(triangles); so for `mirrored`.
+    std::optional<TriangleIndex> nearest(const BodyPlaces& of, TriangleIndex triangle) const;
+    /// The triangle at the same place on the other side of the body. \pre knows(triangle).
+    std::optional<TriangleIndex> mirrored(TriangleIndex triangle) const;
+    /// How alike two places are: 1 where nothing tells them apart; below about 0.3 a pair deserves a look.
+    /// \pre Both are known.
+    static double likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB);
+
+private:
+    /// Shares of ways between landmarks, and the direction that the place faces.
+    using Values = Eigen::Matrix<float, 11, 1>;
+    struct Place
+    {
+        Values values = Values::Zero();
+        BodyRegion region = BodyRegion::Trunk;
+        bool isUsable = false;
+    };
+
+    std::optional<TriangleIndex> nearest(const Values& values) const;
+
+    std::vector<Place> m_places; ///< one for each triangle
+};
+
+/// The pair on the other side of both bodies; nothing where one of its triangles is at no known place, or the
+/// pair lies in the middle and mirrors onto itself.
+std::optional<TrianglePair> mirroredPair(const TrianglePair& pair, const BodyPlaces& onTemplate,
+                                         const BodyPlaces& onTarget);
+
+/// Parts of a template that no pair holds: how they turn is guessed from their neighbours.
+std::vector<BodyRegion> regionsWithoutPairs(std::span<const TrianglePair> pairs,
+                                            const BodyPlaces& onTemplate);
+
+} // namespace quadrille
