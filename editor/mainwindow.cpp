@@ -24,6 +24,7 @@
 #include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/transfer/transferworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/messagestrip.h"
@@ -128,6 +129,7 @@ void MainWindow::makeCentre()
     m_animate = new AnimateWorkspace(m_context);
     m_variations = new VariationsWorkspace(m_context);
     m_appearance = new AppearanceWorkspace(m_context);
+    m_transfer = new TransferWorkspace(m_context);
     m_animate->keysAndStoryboard().setShownPose(
         [this] { return m_workspaces->currentWorkspace()->shownPose(); });
     m_strips = new ProjectStrips(m_context, *m_files);
@@ -181,6 +183,8 @@ void MainWindow::connectAll()
         m_context.variations.readStopped();
     });
     connect(m_variations, &VariationsWorkspace::exportRequested, this,
+            [this](const QString& clip) { m_export->exportClips({clip}); });
+    connect(m_transfer, &TransferWorkspace::exportRequested, this,
             [this](const QString& clip) { m_export->exportClips({clip}); });
     connect(m_pictures, &PictureFlow::saved, this,
             [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });

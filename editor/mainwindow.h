@@ -16,6 +16,7 @@ namespace quadrille {
 
 class AnimateWorkspace;
 class AppearanceWorkspace;
+class TransferWorkspace;
 class ExportFlow;
 class GraphWorkspace;
 class HelpFlow;
@@ -63,6 +64,7 @@ public:
     AnimateWorkspace& animate() { return *m_animate; }
     VariationsWorkspace& variations() { return *m_variations; }
     AppearanceWorkspace& appearance() { return *m_appearance; }
+    TransferWorkspace& transfer() { return *m_transfer; }
     PictureFlow& pictures() { return *m_pictures; }
     ProjectFiles& files() { return *m_files; }
     ProjectStrips& strips() { return *m_strips; }
@@ -112,6 +114,7 @@ private:
     AnimateWorkspace* m_animate = nullptr;
     VariationsWorkspace* m_variations = nullptr;
     AppearanceWorkspace* m_appearance = nullptr;
+    TransferWorkspace* m_transfer = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_propertiesDock = nullptr;

@@ -17,6 +17,7 @@
 #include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
+#include "editor/workspaces/transfer/transferworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 
@@ -120,6 +121,8 @@ void MainWindow::makeWorkspaces()
         "variations", [] { return tr("&Variations"); }, m_variations);
     add(
         "appearance", [] { return tr("A&ppearance"); }, m_appearance);
+    add(
+        "transfer", [] { return tr("T&ransfer"); }, m_transfer);
 }
 
 void MainWindow::makeMenus()

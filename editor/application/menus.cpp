@@ -20,6 +20,7 @@ Menus::Menus(EditorContext& context, QMainWindow& window)
     addAnimate();
     addVariations();
     addAppearance();
+    addTransfer();
     addMenu("playbackMenu", [] { return tr("&Playback"); },
             {"play.toggle",
              "",
@@ -70,7 +71,7 @@ void Menus::addView()
 {
     m_view = addMenu("viewMenu", [] { return tr("&View"); },
                      {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations",
-                      "workspace.appearance", ""});
+                      "workspace.appearance", "workspace.transfer", ""});
     addSubmenu(*m_view, "shadingMenu", [] { return tr("&Shading"); },
                {"view.textured", "view.clay", "view.wire"});
     addSubmenu(*m_view, "showMenu", [] { return tr("Sho&w"); },
@@ -156,6 +157,16 @@ void Menus::addAppearance()
     addSubmenu(*appearance, "textureModeMenu", [] { return tr("Te&xture"); },
                {"appearance.first", "appearance.second", "appearance.difference", "appearance.absolute",
                 "appearance.sideBySide", "appearance.swipe", "", "appearance.edges", "appearance.fit"});
+}
+
+void Menus::addTransfer()
+{
+    QMenu* transfer = addMenu(
+        "transferMenu", [] { return tr("&Transfer"); },
+        {"transfer.new", "transfer.duplicate", "", "transfer.reference", "transfer.takeReference", ""});
+    addSubmenu(*transfer, "pairsMenu", [] { return tr("&Pairs"); },
+               {"transfer.propose", "transfer.mirror", "transfer.mirrorAll", "transfer.removePair"});
+    fill(*transfer, {"", "transfer.addSequence", "transfer.export"});
 }
 
 void Menus::addLanguages()

@@ -41,6 +41,7 @@ private:
     void addAnimate();
     void addVariations();
     void addAppearance();
+    void addTransfer();
     void addLanguages();
     void retranslate();
 

@@ -12,6 +12,7 @@
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
 #include "editor/documents/sequencemedia.h"
+#include "editor/documents/transferresults.h"
 #include "editor/documents/variationresults.h"
 #include "editor/errors/issuelog.h"
 #include "editor/jobs/jobrunner.h"
@@ -33,12 +34,20 @@ struct EditorContext
         , variations(document, jobs)
         , evaluations(document, jobs)
         , appearances(document, jobs)
+        , transfers(document, jobs)
     {
         // Clips have the textures of a model; those of animations follow their graph.
         QObject::connect(&appearances, &AppearanceResults::texturesMade, &media, &SequenceMedia::refresh);
         QObject::connect(&appearances, &AppearanceResults::texturesMade, &graphs, &GraphResults::reopen);
         QObject::connect(&appearances, &AppearanceResults::texturesMade, &variations,
                          &VariationResults::reopen);
+        QObject::connect(&transfers, &TransferResults::computed, &media, &SequenceMedia::refresh);
+        // Transfers are made of clips.
+        QObject::connect(&animations, &AnimationResults::changed, &transfers, [this](const QString& name) {
+            const AnimationResults::State* state = animations.resultState(name);
+            if (state != nullptr && state->phase == ResultPhase::Ready)
+                transfers.refresh();
+        });
         languages.setLanguage(settings.language());
     }
 
@@ -55,6 +64,7 @@ struct EditorContext
     VariationResults variations;
     EvaluationResults evaluations;
     AppearanceResults appearances;
+    TransferResults transfers;
     BodyProblems bodies;
 };
 

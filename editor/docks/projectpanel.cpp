@@ -7,6 +7,7 @@
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"
 #include "editor/commands/projectedits.h"
+#include "editor/commands/transferedits.h"
 #include "editor/commands/variationedits.h"
 #include "editor/context/editorcontext.h"
 #include "editor/docks/projecttreemodel.h"
@@ -56,6 +57,8 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
         return statusOf(context.variations.resultState(entry.name));
     if (entry.section == Section::Appearances)
         return statusOf(context.appearances.resultState(entry.name));
+    if (entry.section == Section::Transfers)
+        return statusOf(context.transfers.resultState(entry.name));
     if (entry.section == Section::BodyParts) {
         const QString problem = context.bodies.problemOf(entry.name);
         return {.state = problem.isEmpty() ? EntryState::Fresh : EntryState::Failed, .problem = problem};
@@ -110,6 +113,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(&context.appearances, &AppearanceResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Appearances, name});
+    });
+    connect(&context.transfers, &TransferResults::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::Transfers, name});
     });
     connect(&context.evaluations, &EvaluationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Evaluations, name});
@@ -246,6 +252,8 @@ void ProjectPanel::duplicateSelected()
     else if (current.section == Section::Appearances)
         m_context.selection.select(
             {Section::Appearances, duplicateAppearance(m_context.document, current.name)});
+    else if (current.section == Section::Transfers)
+        m_context.selection.select({Section::Transfers, duplicateTransfer(m_context.document, current.name)});
     else
         m_context.selection.selectSequences({duplicateSequence(m_context.document, current.name)});
 }

@@ -30,6 +30,8 @@ void Selection::select(const EntryRef& entry)
         m_shownVariation = entry.name;
     if (entry.section == Section::Appearances && !entry.name.isEmpty())
         m_shownAppearance = entry.name;
+    if (entry.section == Section::Transfers && !entry.name.isEmpty())
+        m_shownTransfer = entry.name;
     emit changed();
 }
 
@@ -81,6 +83,8 @@ void Selection::showExisting()
         m_shownVariation = first(m_document.project().variations);
     if (findAppearance(m_document.project(), m_shownAppearance.toStdString()) == nullptr)
         m_shownAppearance = first(m_document.project().appearances);
+    if (findTransfer(m_document.project(), m_shownTransfer.toStdString()) == nullptr)
+        m_shownTransfer = first(m_document.project().transfers);
     m_animations.removeIf([this](const QString& name) { return m_document.animation(name) == nullptr; });
     if (m_document.animation(m_shownAnimation) == nullptr)
         m_shownAnimation =
@@ -107,6 +111,8 @@ void Selection::rename(const ChangeEvent& event)
         m_shownVariation = event.entry.name;
     if (event.entry.section == Section::Appearances && m_shownAppearance == event.before)
         m_shownAppearance = event.entry.name;
+    if (event.entry.section == Section::Transfers && m_shownTransfer == event.before)
+        m_shownTransfer = event.entry.name;
 }
 
 void Selection::follow(const ChangeEvent& event)
@@ -118,6 +124,7 @@ void Selection::follow(const ChangeEvent& event)
         const QString animationBefore = m_shownAnimation;
         const QString variationBefore = m_shownVariation;
         const QString appearanceBefore = m_shownAppearance;
+        const QString transferBefore = m_shownTransfer;
         const auto animationsBefore = m_animations.size();
         const auto countBefore = m_sequences.size();
         m_sequences.removeIf([this](const QString& name) { return m_document.sequence(name) == nullptr; });
@@ -127,7 +134,8 @@ void Selection::follow(const ChangeEvent& event)
             m_current = m_sequences.isEmpty() ? EntryRef{} : EntryRef{Section::Sequences, m_sequences.back()};
         if (!currentIsThere || m_shown != shownBefore || m_sequences.size() != countBefore ||
             m_shownAnimation != animationBefore || m_shownVariation != variationBefore ||
-            m_shownAppearance != appearanceBefore || m_animations.size() != animationsBefore)
+            m_shownAppearance != appearanceBefore || m_shownTransfer != transferBefore ||
+            m_animations.size() != animationsBefore)
             emit changed();
     }
 }

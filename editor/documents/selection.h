@@ -34,6 +34,7 @@ public:
     const QString& shownVariation() const { return m_shownVariation; }
     /// The model of appearance that its workspace works on: the last one selected that still exists.
     const QString& shownAppearance() const { return m_shownAppearance; }
+    const QString& shownTransfer() const { return m_shownTransfer; }
 
     /// A sequence or an animation becomes the only one selected of its kind. Selecting anything but sequences
     /// lets go of these. `changed` is told where the selection is another.
@@ -64,6 +65,7 @@ private:
     QString m_shownAnimation;
     QString m_shownVariation;
     QString m_shownAppearance;
+    QString m_shownTransfer;
 };
 
 } // namespace quadrille

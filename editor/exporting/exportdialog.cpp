@@ -4,9 +4,9 @@
 
 #include "editor/context/editorcontext.h"
 #include "editor/documents/projectpaths.h"
-#include "editor/exporting/clipchoice.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/clipchoice.h"
 #include "editor/fields/numberfield.h"
 #include "editor/fields/rangefield.h"
 #include "editor/language/retranslate.h"

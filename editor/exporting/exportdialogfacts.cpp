@@ -5,6 +5,7 @@
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
+#include "editor/fields/clipchoice.h"
 #include "editor/pictures/takepreview.h"
 #include "model/project/results/openanimation.h"
 #include "widgets/controls/messagestrip.h"

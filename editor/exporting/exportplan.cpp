@@ -3,6 +3,7 @@
 #include "editor/exporting/exportplan.h"
 
 #include "editor/documents/projectpaths.h"
+#include "editor/fields/clipchoice.h"
 #include "model/core/seriesname.h"
 #include "model/project/exports/exportentry.h"
 
@@ -68,11 +69,6 @@ QString ExportPlan::filesText(const ExportEntry& each, std::int64_t frames) cons
     if (frames == 1)
         return first;
     return first + QStringLiteral(" … ") + QString::fromStdString(numberedName(path, frames - 1, frames));
-}
-
-QString nameOfClip(const QString& clip)
-{
-    return clip.section(QLatin1Char('/'), 1);
 }
 
 ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder)

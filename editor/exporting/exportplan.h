@@ -35,8 +35,6 @@ struct ExportPlan
 /// A new export of some clips in a format, beside the project or in a folder, to a file that is not there
 /// yet. Looks at the disk. \pre There is a clip, and an exporter of the format.
 ExportPlan planExport(const QStringList& clips, const std::string& format, const QString& folder);
-/// The name in "sequences/NAME" or "animations/NAME".
-QString nameOfClip(const QString& clip);
 /// The same path with the ending of another format.
 std::string withEndingOf(const std::string& path, const FormatInfo& format);
 

@@ -76,6 +76,11 @@ constexpr std::array table{
     Row{"masksPanel", "appearance", "Masks"},
     Row{"betweenPanel", "appearance", "Between"},
     Row{"qualityPanel", "appearance", "Quality"},
+    // Transfer
+    Row{"transferWorkspace", "transfer"},
+    Row{"pairsPanel", "transfer", "Pairs"},
+    Row{"transferSettingsPanel", "transfer", "Settings"},
+    Row{"transferChart", "transfer", "Report"},
     // Dialogs
     Row{"importDialog", "importing"},
     Row{"exportDialog", "exporting"},

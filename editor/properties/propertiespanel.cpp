@@ -12,6 +12,7 @@
 #include "editor/properties/exportpage.h"
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
+#include "editor/properties/transferpage.h"
 #include "editor/properties/variationpage.h"
 
 #include <QLabel>
@@ -34,6 +35,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
                 {Section::Animations, new AnimationPage(context)},
                 {Section::Variations, new VariationPage(context)},
                 {Section::Appearances, new AppearancePage(context)},
+                {Section::Transfers, new TransferPage(context)},
                 {Section::Exports, new ExportPage(context)},
                 {Section::Project, new BrokenPage(context)}}
 {

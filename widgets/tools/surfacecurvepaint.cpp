@@ -277,10 +277,7 @@ void paintSurfaceHint(QPainter& painter, const SurfaceCurveLayout& layout, const
                                                  : QString();
     if (text.isEmpty())
         return;
-    constexpr double margin = 32.0; // pixels
-    const QSizeF& view = layout.view().size;
-    const QRectF plate = paintToolWords(painter, {view.width() / 2.0, view.height() - margin}, text,
-                                        std::max(view.width() - 4.0 * margin, margin));
+    const QRectF plate = paintToolHint(painter, layout.view().size, text);
     if (!look.refusal.isEmpty())
         paintBadge(painter, {plate.left() - 12.0, plate.center().y()});
 }

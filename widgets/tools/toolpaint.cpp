@@ -7,6 +7,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 namespace quadrille::widgets {
 
@@ -69,6 +70,13 @@ QRectF paintToolWords(QPainter& painter, const QPointF& at, const QString& text,
     painter.setPen(Theme::color(ColorRole::Text));
     painter.drawText(plate.adjusted(2, 0, -2, 0), wrapped, text);
     return plate;
+}
+
+QRectF paintToolHint(QPainter& painter, const QSizeF& view, const QString& text)
+{
+    constexpr double margin = 32.0; // pixels
+    return paintToolWords(painter, {view.width() / 2.0, view.height() - margin}, text,
+                          std::max(view.width() - 4.0 * margin, margin));
 }
 
 } // namespace quadrille::widgets

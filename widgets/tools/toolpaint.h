@@ -41,4 +41,7 @@ void paintHandle(QPainter& painter, const QPointF& at, const HandleLook& look);
 /// \return the plate.
 QRectF paintToolWords(QPainter& painter, const QPointF& at, const QString& text, double widest = 4096.0);
 
+/// What there is to say, in the middle of the lower end of a view. \return the plate.
+QRectF paintToolHint(QPainter& painter, const QSizeF& view, const QString& text);
+
 } // namespace quadrille::widgets

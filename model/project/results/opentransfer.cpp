@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/results/opentransfer.h"
 
+#include "model/core/bounds.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/throwinvalid.h"
@@ -22,11 +23,15 @@ const TransferEntry& entryOf(const Project& project, const std::string& name)
     return *entry;
 }
 
-/// One pose as a sequence.
-MeshSequence still(const MeshSequence& like, std::vector<Vec3f> metres, double unitsPerMetre)
+/// One pose as a sequence, in the middle of the ground.
+MeshSequence still(const MeshSequence& like, std::vector<Vec3f> metres, UpAxis up, double unitsPerMetre)
 {
+    const Bounds bounds = boundsOf(metres);
+    const auto upward = static_cast<Eigen::Index>(up);
+    Vec3d middle = bounds.center();
+    middle[upward] = bounds.min[upward];
     for (Vec3f& p : metres)
-        p *= static_cast<float>(unitsPerMetre);
+        p = (p - middle.cast<float>()) * static_cast<float>(unitsPerMetre);
     MeshSequence sequence = makeSequence(
         like.name, like.topology,
         std::make_shared<MemoryFrames>(std::move(metres), like.topology->vertexCount()), like.fps);
@@ -91,7 +96,7 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
     const bool hasTarget = before != nullptr && haveOneTarget(*before, preview);
     const bool hasTemplate = before != nullptr && before->performed.topology == preview.performed.topology;
     preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
-    preview.rest = still(preview.target->sequence, target.positions, unitsPerMetre);
+    preview.rest = still(preview.target->sequence, target.positions, up, unitsPerMetre);
     PosedMesh reference = bodies.anyPose();
     preview.templatePlaces =
         hasTemplate ? before->templatePlaces : placesOf(reference, up, progress.part(0.3, 0.4));
@@ -107,7 +112,7 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
         PreparedTransfer prepared(bodies.performed(), reference, target, preview.solid, pairs,
                                   bodies.settings(), progress.part(0.6, 1));
         preview.rest =
-            still(preview.target->sequence, turned(target.positions, prepared.turn(), up), unitsPerMetre);
+            still(preview.target->sequence, turned(target.positions, prepared.turn(), up), up, unitsPerMetre);
         preview.posed = makeSequence(
             name, target.topology,
             std::make_shared<LiveTransfer>(std::move(prepared), bodies.settings(), unitsPerMetre),
@@ -118,7 +123,7 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
             throw;
         preview.failure = error;
     }
-    preview.reference = still(preview.performed, std::move(reference.positions), unitsPerMetre);
+    preview.reference = still(preview.performed, std::move(reference.positions), up, unitsPerMetre);
     progress.report(1);
     return made;
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "editor/exporting/clipchoice.h"
+#include "editor/fields/clipchoice.h"
 
-#include "editor/exporting/exportplan.h"
 #include "model/project/document/project.h"
 
 #include <QComboBox>
@@ -64,6 +63,11 @@ void listClips(QComboBox& box, const Project& project, const QStringList& planne
     // One variation alone has no line of its own, but an export may be about it.
     if (!planned.isEmpty() && box.findData(planned.front()) < 0)
         box.addItem(nameOfClip(planned.front()), planned.front());
+}
+
+QString nameOfClip(const QString& clip)
+{
+    return clip.section(QLatin1Char('/'), 1);
 }
 
 } // namespace quadrille

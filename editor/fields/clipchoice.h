@@ -14,5 +14,7 @@ struct Project;
 /// under its heading where there are several. Where several clips go out together, it has the first only. The
 /// box is emptied first. \param planned  the clips that go out.
 void listClips(QComboBox& box, const Project& project, const QStringList& planned);
+/// The name in "sequences/NAME" or "animations/NAME".
+QString nameOfClip(const QString& clip);
 
 } // namespace quadrille

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "editor/fields/fieldform.h"
+#include "model/project/document/transferentry.h"
+
+#include <QCoreApplication>
+#include <functional>
+
+namespace quadrille {
+
+struct Project;
+
+struct TransferTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(quadrille::TransferFields)
+};
+
+/// Object names of what a transfer is of, and of how it is made.
+struct TransferNames
+{
+    const char* clip;
+    const char* target;
+    const char* reference;
+    const char* field;
+    const char* scale;
+    const char* poses;
+    const char* contacts;
+};
+
+/// What can be performed: takes, animations and other transfers of a project.
+std::vector<FieldItem<std::string>> clipItems(const Project& project, const TransferEntry& transfer);
+/// What can perform it: all takes.
+std::vector<FieldItem<std::string>> targetItems(const Project& project);
+/// The template's poses that can be named: where its takes begin, and the one that is.
+std::vector<FieldItem<std::optional<NamedFrame>>> referenceItems(const Project& project,
+                                                                 const TransferEntry& transfer);
+/// Pairs of triangles mean nothing on other meshes: these are lost with the character.
+void setClip(TransferEntry& transfer, const std::string& clip, const Project& project);
+void setTarget(TransferEntry& transfer, const std::string& sequence, const Project& project);
+
+/// What is performed, and by whom. \param project  that of now.
+template <typename Form>
+void addTransferSubjects(FieldForm<TransferEntry, Form>& fields, const TransferNames& names,
+                         const std::function<const Project&()>& project)
+{
+    using T = TransferTexts;
+    auto clip = lensOf<TransferEntry>(&TransferEntry::clip);
+    clip.set = [project](TransferEntry& entry, const std::string& name) { setClip(entry, name, project()); };
+    fields.addItems({names.clip, [] { return T::tr("Clip"); },
+                     [] { return T::tr("What is performed: a take, an animation or another transfer"); }},
+                    clip, [project](const TransferEntry& entry) { return clipItems(project(), entry); });
+    Lens<TransferEntry, std::string> target;
+    target.get = [](const TransferEntry& entry) { return entry.target.sequence; };
+    target.set = [project](TransferEntry& entry, const std::string& name) {
+        setTarget(entry, name, project());
+    };
+    fields.addItems({names.target, [] { return T::tr("Performed by"); },
+                     [] {
+                         return T::tr("The body that performs it: a scan or a take of another character, in "
+                                      "its first frame");
+                     }},
+                    target, [project](const TransferEntry& /*entry*/) { return targetItems(project()); });
+}
+
+/// How it is made.
+template <typename Form>
+void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferNames& names,
+                         const std::function<const Project&()>& project)
+{
+    using T = TransferTexts;
+    fields.addItems({names.reference, [] { return T::tr("Reference pose"); },
+                     [] {
+                         return T::tr("The pose of the template that the body's is like; the nearer it is, "
+                                      "the better the result");
+                     }},
+                    &TransferEntry::reference,
+                    [project](const TransferEntry& entry) { return referenceItems(project(), entry); });
+    fields.addChoice({names.field, [] { return T::tr("Rotations"); },
+                      [] {
+                          return T::tr("What of the rotations of paired triangles is spread over the body: "
+                                       "logarithms turn evenly where a part turns far");
+                      }},
+                     &TransferEntry::field,
+                     {[] { return T::tr("Quaternions"); }, [] { return T::tr("Logarithms"); }});
+    fields.addNumber({names.scale, [] { return T::tr("Scale of the way"); },
+                      [] {
+                          return T::tr("Of the way over the ground and of heights above it; by itself what "
+                                       "the steps of the body ask for");
+                      }},
+                     &TransferEntry::scale, {.path = "transfer.scale", .step = 0.05, .automatic = [] {
+                                                 return T::tr("by itself");
+                                             }});
+    fields.addSwitch({names.poses, [] { return T::tr("Correct the pose"); },
+                      [] {
+                          return T::tr("Limbs that the body holds otherwise than the template does in the "
+                                       "reference pose are brought there first: the arms of a scan in A- or "
+                                       "T-pose");
+                      }},
+                     &TransferEntry::correctsPose);
+    fields.addSwitch({names.contacts, [] { return T::tr("Correct contacts"); },
+                      [] { return T::tr("Feet that stand in the clip stand still in the result as well"); }},
+                     &TransferEntry::correctsContacts);
+}
+
+} // namespace quadrille
