@@ -374,6 +374,33 @@
     </message>
 </context>
 <context>
+    <name>quadrille::PairTool</name>
+    <message numerus="yes">
+        <source>%n pair(s) were added.</source>
+        <translation>
+            <numerusform>%n pair was added.</numerusform>
+            <numerusform>%n pairs were added.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PairsPanel</name>
+    <message numerus="yes">
+        <source>%n pair(s) were proposed. What you change makes them the project’s.</source>
+        <translation>
+            <numerusform>%n pair was proposed. What you change makes it the project’s.</numerusform>
+            <numerusform>%n pairs were proposed. What you change makes them the project’s.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s): from about 15 on all parts turn as they should.</source>
+        <translation>
+            <numerusform>%n pair: from about 15 on all parts turn as they should.</numerusform>
+            <numerusform>%n pairs: from about 15 on all parts turn as they should.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::PathPanel</name>
     <message numerus="yes">
         <source>%1 · polygon, %n corner(s)</source>
@@ -684,6 +711,26 @@
         <translation>
             <numerusform>%n, by material</numerusform>
             <numerusform>%n, by material</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferBar</name>
+    <message numerus="yes">
+        <source>Ready: %n frame(s)</source>
+        <translation>
+            <numerusform>Ready: %n frame</numerusform>
+            <numerusform>Ready: %n frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferPage</name>
+    <message numerus="yes">
+        <source>%n pair(s)</source>
+        <translation>
+            <numerusform>%n pair</numerusform>
+            <numerusform>%n pairs</numerusform>
         </translation>
     </message>
 </context>

@@ -56,6 +56,74 @@
         <source>Of captured frames</source>
         <translation>D’images captées</translation>
     </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>What is performed: a take, an animation or another transfer</source>
+        <translation>Ce qui est exécuté : une prise, une animation ou un autre transfert</translation>
+    </message>
+    <message>
+        <source>Performed by</source>
+        <translation>Exécuté par</translation>
+    </message>
+    <message>
+        <source>The body that performs it: a scan or a take of another character, in its first frame</source>
+        <translation>Le corps qui l’exécute : un scan ou une prise d’un autre personnage, dans sa première image</translation>
+    </message>
+    <message>
+        <source>Reference pose</source>
+        <translation>Pose de référence</translation>
+    </message>
+    <message>
+        <source>The pose of the template that the body&apos;s is like; the nearer it is, the better the result</source>
+        <translation>La pose du gabarit à laquelle ressemble celle du corps ; plus elle est proche, meilleur est le résultat</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>What of the rotations of paired triangles is spread over the body: logarithms turn evenly where a part turns far</source>
+        <translation>Ce qui est réparti sur le corps des rotations des triangles appariés : les logarithmes tournent régulièrement là où une partie tourne beaucoup</translation>
+    </message>
+    <message>
+        <source>Quaternions</source>
+        <translation>Quaternions</translation>
+    </message>
+    <message>
+        <source>Logarithms</source>
+        <translation>Logarithmes</translation>
+    </message>
+    <message>
+        <source>Scale of the way</source>
+        <translation>Échelle du chemin</translation>
+    </message>
+    <message>
+        <source>Of the way over the ground and of heights above it; by itself what the steps of the body ask for</source>
+        <translation>Du chemin au sol et des hauteurs au-dessus ; d’elle-même, ce que demandent les pas du corps</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>d’elle-même</translation>
+    </message>
+    <message>
+        <source>Correct the pose</source>
+        <translation>Corriger la pose</translation>
+    </message>
+    <message>
+        <source>Limbs that the body holds otherwise than the template does in the reference pose are brought there first: the arms of a scan in A- or T-pose</source>
+        <translation>Les membres que le corps tient autrement que le gabarit dans la pose de référence y sont d’abord amenés : les bras d’un scan en pose A ou T</translation>
+    </message>
+    <message>
+        <source>Correct contacts</source>
+        <translation>Corriger les contacts</translation>
+    </message>
+    <message>
+        <source>Feet that stand in the clip stand still in the result as well</source>
+        <translation>Les pieds posés dans le clip restent immobiles dans le résultat aussi</translation>
+    </message>
 </context>
 <context>
     <name>Evaluation</name>
@@ -3011,11 +3079,11 @@
     </message>
     <message>
         <source>Pair triangles of the template with those of the target.</source>
-        <translation>Appariez des triangles du modèle avec ceux de la cible.</translation>
+        <translation>Appariez des triangles du gabarit avec ceux de la cible.</translation>
     </message>
     <message>
         <source>Pair {pair} names triangle {triangle} of the template, which has only {count}.</source>
-        <translation>La paire {pair} désigne le triangle {triangle} du modèle, qui n’en a que {count}.</translation>
+        <translation>La paire {pair} désigne le triangle {triangle} du gabarit, qui n’en a que {count}.</translation>
     </message>
     <message>
         <source>Pair it again: the mesh has changed.</source>
@@ -3043,7 +3111,7 @@
     </message>
     <message>
         <source>No two arms and two legs were found on the template, by which pairs of triangles could be proposed.</source>
-        <translation>Deux bras et deux jambes n’ont pas été trouvés sur le modèle, d’après lesquels des paires de triangles pourraient être proposées.</translation>
+        <translation>Deux bras et deux jambes n’ont pas été trouvés sur le gabarit, d’après lesquels des paires de triangles pourraient être proposées.</translation>
     </message>
     <message>
         <source>Pair triangles by hand, or take a pose in which arms and legs stick out.</source>
@@ -4746,6 +4814,65 @@
     <message>
         <source>textures</source>
         <translation>textures</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::CurrentTransfer</name>
+    <message>
+        <source>Pair triangles</source>
+        <translation>Apparier des triangles</translation>
+    </message>
+    <message>
+        <source>Move pair %1</source>
+        <translation>Déplacer la paire %1</translation>
+    </message>
+    <message>
+        <source>Remove pair %1</source>
+        <translation>Retirer la paire %1</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 par %2</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>tronc</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>bras gauche</translation>
+    </message>
+    <message>
+        <source>left lower arm</source>
+        <translation>avant-bras gauche</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>bras droit</translation>
+    </message>
+    <message>
+        <source>right lower arm</source>
+        <translation>avant-bras droit</translation>
+    </message>
+    <message>
+        <source>left thigh</source>
+        <translation>cuisse gauche</translation>
+    </message>
+    <message>
+        <source>left shin</source>
+        <translation>jambe gauche</translation>
+    </message>
+    <message>
+        <source>right thigh</source>
+        <translation>cuisse droite</translation>
+    </message>
+    <message>
+        <source>right shin</source>
+        <translation>jambe droite</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7936,10 @@
         <source>A&amp;ppearance</source>
         <translation>Appa&amp;rence</translation>
     </message>
+    <message>
+        <source>T&amp;ransfer</source>
+        <translation>T&amp;ransfert</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MarkEdits</name>
@@ -8088,6 +8219,14 @@
         <source>Appeara&amp;nce</source>
         <translation>Appare&amp;nce</translation>
     </message>
+    <message>
+        <source>&amp;Transfer</source>
+        <translation>&amp;Transfert</translation>
+    </message>
+    <message>
+        <source>&amp;Pairs</source>
+        <translation>&amp;Paires</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MovementPanel</name>
@@ -8270,6 +8409,150 @@
     <message>
         <source>Blending a transition</source>
         <translation>Fondu d’une transition</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PairTool</name>
+    <message>
+        <source>This triangle of the body has a pair already.</source>
+        <translation>Ce triangle du corps a déjà une paire.</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
+    </message>
+    <message>
+        <source>&amp;Propose pairs</source>
+        <translation>&amp;Proposer des paires</translation>
+    </message>
+    <message>
+        <source>Exchanges all pairs for ones that are found by hands, feet and head</source>
+        <translation>Remplace toutes les paires par d’autres, trouvées d’après mains, pieds et tête</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror the pair</source>
+        <translation>&amp;Refléter la paire</translation>
+    </message>
+    <message>
+        <source>Adds the same pair on the other side of both bodies</source>
+        <translation>Ajoute la même paire de l’autre côté des deux corps</translation>
+    </message>
+    <message>
+        <source>The other side has this pair already, or nothing tells where it is.</source>
+        <translation>L’autre côté a déjà cette paire, ou rien ne dit où elle est.</translation>
+    </message>
+    <message>
+        <source>Mirror &amp;all pairs</source>
+        <translation>Refléter &amp;toutes les paires</translation>
+    </message>
+    <message>
+        <source>Adds each pair on the other side as well, where that has none</source>
+        <translation>Ajoute aussi chaque paire de l’autre côté, là où il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the pair</source>
+        <translation>Reti&amp;rer la paire</translation>
+    </message>
+    <message>
+        <source>Removes the selected pair</source>
+        <translation>Retire la paire sélectionnée</translation>
+    </message>
+    <message>
+        <source>Propose pairs</source>
+        <translation>Proposer des paires</translation>
+    </message>
+    <message>
+        <source>Mirror all pairs</source>
+        <translation>Refléter toutes les paires</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) were added.</source>
+        <translation>
+            <numerusform>%n paire ajoutée.</numerusform>
+            <numerusform>%n paires ajoutées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing tells which triangle of the other body belongs to it: click on it.</source>
+        <translation>Rien ne dit quel triangle de l’autre corps lui correspond : cliquez dessus.</translation>
+    </message>
+    <message>
+        <source>Now click on the same place of the body; Return proposes one, Escape gives up.</source>
+        <translation>Cliquez maintenant sur le même endroit du corps ; Entrée en propose un, Échap renonce.</translation>
+    </message>
+    <message>
+        <source>Now click on the same place of the template; Return proposes one, Escape gives up.</source>
+        <translation>Cliquez maintenant sur le même endroit du gabarit ; Entrée en propose un, Échap renonce.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::PairsPanel</name>
+    <message>
+        <source>Pair</source>
+        <translation>Paire</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Partie</translation>
+    </message>
+    <message>
+        <source>Likeness</source>
+        <translation>Ressemblance</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>How alike the two places are, by how far they are from hands, feet and head and by where they face; below 30 % a look is worth while</source>
+        <translation>À quel point les deux endroits se ressemblent, d’après leur distance aux mains, aux pieds et à la tête et leur orientation ; au-dessous de 30 %, un regard vaut la peine</translation>
+    </message>
+    <message>
+        <source>Number of the triangle, from 0</source>
+        <translation>Numéro du triangle, à partir de 0</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles</source>
+        <translation>Paires de triangles</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <extracomment>a share</extracomment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles say which places of two bodies move alike.</source>
+        <translation>Les paires de triangles disent quels endroits de deux corps bougent de la même façon.</translation>
+    </message>
+    <message>
+        <source>Click on a place of the template, then on the same place of the body. Some pairs on each part that turns will do: from about 15 on.</source>
+        <translation>Cliquez sur un endroit du gabarit, puis sur le même endroit du corps. Quelques paires sur chaque partie qui tourne suffisent : à partir d’environ 15.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) were proposed. What you change makes them the project’s.</source>
+        <translation>
+            <numerusform>%n paire a été proposée. Ce que vous y changez en fait une paire du projet.</numerusform>
+            <numerusform>%n paires ont été proposées. Ce que vous y changez en fait celles du projet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s): from about 15 on all parts turn as they should.</source>
+        <translation>
+            <numerusform>%n paire : à partir d’environ 15, toutes les parties tournent comme il faut.</numerusform>
+            <numerusform>%n paires : à partir d’environ 15, toutes les parties tournent comme il faut.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a pair: %1. How they turn is guessed from what is beside them.</source>
+        <translation>Sans paire : %1. La façon dont ces parties tournent est devinée d’après leurs voisines.</translation>
     </message>
 </context>
 <context>
@@ -12049,6 +12332,264 @@ maximal %2</translation>
     <message>
         <source>Fold the row</source>
         <translation>Replier la ligne</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferBar</name>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the transfer</source>
+        <translation>&amp;Dupliquer le transfert</translation>
+    </message>
+    <message>
+        <source>Adds a copy, for another body or another clip</source>
+        <translation>Ajoute une copie, pour un autre corps ou un autre clip</translation>
+    </message>
+    <message>
+        <source>Transfers</source>
+        <translation>Transferts</translation>
+    </message>
+    <message>
+        <source>The transfer that is worked on</source>
+        <translation>Le transfert sur lequel on travaille</translation>
+    </message>
+    <message>
+        <source>No transfer</source>
+        <translation>Aucun transfert</translation>
+    </message>
+    <message>
+        <source>Preview; the clip is computed…</source>
+        <translation>Aperçu ; le clip est en cours de calcul…</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Ready: %n frame(s)</source>
+        <translation>
+            <numerusform>Prêt : %n image</numerusform>
+            <numerusform>Prêt : %n images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It did not work.</source>
+        <translation>Cela n’a pas marché.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Not computed</source>
+        <translation>Pas calculé</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferChart</name>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Error of paired triangles</source>
+        <translation>Erreur des triangles appariés</translation>
+    </message>
+    <message>
+        <source>Feet that slide</source>
+        <translation>Pieds qui glissent</translation>
+    </message>
+    <message>
+        <source>Of the body, against its volume at rest</source>
+        <translation>Du corps, rapporté à son volume au repos</translation>
+    </message>
+    <message>
+        <source>The mean angle by which paired triangles miss the template’s rotation</source>
+        <translation>L’angle moyen dont les triangles appariés manquent la rotation du gabarit</translation>
+    </message>
+    <message>
+        <source>How fast feet that stand until the next frame move</source>
+        <translation>La vitesse des pieds posés jusqu’à l’image suivante</translation>
+    </message>
+    <message>
+        <source>What is drawn over the frames</source>
+        <translation>Ce qui est tracé au fil des images</translation>
+    </message>
+    <message>
+        <source>How each frame came out shows here, once the clip is computed.</source>
+        <translation>Ce que chaque image a donné se montre ici, une fois le clip calculé.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>cm/s</source>
+        <translation>cm/s</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>image</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferEdits</name>
+    <message>
+        <source>Add transfer “%1”</source>
+        <translation>Ajouter le transfert « %1 »</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferFields</name>
+    <message>
+        <source>The most alike</source>
+        <translation>La plus semblable</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferPage</name>
+    <message>
+        <source>Whose body performs the clip; pairs are made anew with another one</source>
+        <translation>Celui dont le corps exécute le clip ; avec un autre, les paires sont refaites</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Let another body perform “%1”</source>
+        <translation>Faire exécuter « %1 » par un autre corps</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>proposées</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s)</source>
+        <translation>
+            <numerusform>%n paire</numerusform>
+            <numerusform>%n paires</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferResults</name>
+    <message>
+        <source>Transfer “%1”</source>
+        <translation>Transfert « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferSettingsPanel</name>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
+    </message>
+    <message>
+        <source>Take the shown &amp;frame as reference pose</source>
+        <translation>Prendre l’&amp;image montrée comme pose de référence</translation>
+    </message>
+    <message>
+        <source>The pose in which the take is shown is the one that the body’s is like</source>
+        <translation>La pose dans laquelle la prise est montrée est celle à laquelle ressemble celle du corps</translation>
+    </message>
+    <message>
+        <source>Take the reference pose</source>
+        <translation>Prendre la pose de référence</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::TransferWorkspace</name>
+    <message>
+        <source>Template</source>
+        <translation>Gabarit</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
+    </message>
+    <message>
+        <source>&amp;New transfer</source>
+        <translation>&amp;Nouveau transfert</translation>
+    </message>
+    <message>
+        <source>Lets another body perform the take that is selected</source>
+        <translation>Fait exécuter par un autre corps la prise sélectionnée</translation>
+    </message>
+    <message>
+        <source>&amp;Add as a take</source>
+        <translation>&amp;Ajouter comme prise</translation>
+    </message>
+    <message>
+        <source>Adds the transferred clip to the takes: for graphs, animations, variations</source>
+        <translation>Ajoute le clip transféré aux prises : pour des graphes, animations, variations</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the clip…</source>
+        <translation>E&amp;xporter le clip…</translation>
+    </message>
+    <message>
+        <source>Writes the transferred clip into files</source>
+        <translation>Écrit le clip transféré dans des fichiers</translation>
+    </message>
+    <message>
+        <source>Show &amp;reference poses</source>
+        <translation>Montrer les poses de &amp;référence</translation>
+    </message>
+    <message>
+        <source>Shows both bodies as they stand, instead of what they perform</source>
+        <translation>Montre les deux corps tels qu’ils se tiennent, au lieu de ce qu’ils exécutent</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Import takes first, and a scan of somebody else: the scan can perform the takes.</source>
+        <translation>Importez d’abord des prises et un scan de quelqu’un d’autre : le scan peut exécuter les prises.</translation>
+    </message>
+    <message>
+        <source>Here another body performs a take: a scan of anybody, or any creature with knees and elbows.</source>
+        <translation>Ici, un autre corps exécute une prise : le scan de n’importe qui, ou une créature qui a des genoux et des coudes.</translation>
+    </message>
+    <message>
+        <source>Import a scan, then pair triangles of both bodies, or have pairs proposed.</source>
+        <translation>Importez un scan, puis appariez des triangles des deux corps, ou faites proposer des paires.</translation>
+    </message>
+    <message>
+        <source>New transfer</source>
+        <translation>Nouveau transfert</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,9 @@ TransferPreviewPointer CurrentTransfer::preview() const
 TransferResultPointer CurrentTransfer::result() const
 {
     const TransferResults::State* found = state();
-    return found == nullptr ? nullptr : found->result;
+    const bool isAsked = found != nullptr && found->result != nullptr && entry() != nullptr &&
+                         found->result->entry == *entry();
+    return isAsked ? found->result : nullptr;
 }
 
 std::vector<ProposedPair> CurrentTransfer::pairs() const

@@ -157,7 +157,10 @@ QString TransferBar::stateText() const
     case ResultPhase::Computing:
         return isPosed ? tr("Preview; the clip is computed…") : tr("Computing…");
     case ResultPhase::Ready:
-        return tr("Ready: %n frame(s)", nullptr, static_cast<int>(state->result->sequence.frameCount()));
+        return m_transfer.result() == nullptr
+                   ? QString()
+                   : tr("Ready: %n frame(s)", nullptr,
+                        static_cast<int>(m_transfer.result()->sequence.frameCount()));
     case ResultPhase::Failed:
         return tr("It did not work.");
     default:
