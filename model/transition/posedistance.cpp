@@ -79,7 +79,7 @@ NodeIndex tileSize(NodeIndex frameCount, std::uint32_t vertexCount)
 {
     constexpr std::size_t runBytes = std::size_t{12} << 20;
     const auto fitting = static_cast<NodeIndex>(
-        std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{128}));
+        std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{256}));
     return std::clamp((frameCount + 9) / 10, std::min(NodeIndex{16}, fitting), fitting);
 }
 

@@ -64,20 +64,26 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
                               const std::vector<RotationF>& rotations, std::size_t sliceCount,
                               const Progress& progress, const Fill& fill, const Add& add)
 {
+    // Slices of so many columns stay in a core's own cache while all rows go by.
+    constexpr std::size_t columnsAtOnce = 128;
     std::vector<double> sums(rows.size() * columns.size(), 0.0);
     std::vector<Slice> columnSlices(columns.size());
-    Slice rowSlice;
+    std::vector<Slice> rowSlices(rows.size());
     for (std::size_t slice = 0; slice < sliceCount; ++slice) {
         for (std::size_t column = 0; column < columns.size(); ++column)
             fill(columns.poses[column], slice, columnSlices[column]);
-        for (std::size_t row = 0; row < rows.size(); ++row) {
-            const std::size_t first = firstAbove(tile, row);
-            const std::size_t place = row * columns.size() + first;
-            if (first == columns.size())
-                continue;
-            fill(rows.poses[row], slice, rowSlice);
-            add(rowSlice, columnSlices.data() + first, rotations.data() + place, columns.size() - first,
-                sums.data() + place);
+        for (std::size_t row = 0; row < rows.size() && firstAbove(tile, row) < columns.size(); ++row)
+            fill(rows.poses[row], slice, rowSlices[row]);
+        for (std::size_t begin = 0; begin < columns.size(); begin += columnsAtOnce) {
+            const std::size_t end = std::min(begin + columnsAtOnce, columns.size());
+            for (std::size_t row = 0; row < rows.size(); ++row) {
+                const std::size_t first = std::max(begin, firstAbove(tile, row));
+                if (first >= end)
+                    break; // and so are the rows below
+                const std::size_t place = row * columns.size() + first;
+                add(rowSlices[row], columnSlices.data() + first, rotations.data() + place, end - first,
+                    sums.data() + place);
+            }
         }
         progress.report(static_cast<std::int64_t>(slice + 1), static_cast<std::int64_t>(sliceCount));
     }

@@ -59,8 +59,9 @@ RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress&
         roots.centres.push_back(centroid(character.frame(node).positions()));
     }
     constexpr std::size_t runBytes = std::size_t{12} << 20;
-    const auto size = static_cast<NodeIndex>(std::clamp(
-        runBytes / (sizeof(Vec3f) * std::max(character.vertexCount(), 1U)), std::size_t{8}, std::size_t{64}));
+    const auto size =
+        static_cast<NodeIndex>(std::clamp(runBytes / (sizeof(Vec3f) * std::max(character.vertexCount(), 1U)),
+                                          std::size_t{8}, std::size_t{256}));
     const std::vector<PairTile> tiles = pairTiles(frameCount, size);
     const auto tileOf = [&tiles](std::int64_t task) -> const PairTile& {
         return tiles[static_cast<std::size_t>(task)];
