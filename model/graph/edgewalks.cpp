@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Nearly all edges that walks come to lower nothing. What a node would have to be reached for to be of any
-// use to any of the sources is kept in one number, by which most of them are left out before the sources are
+// use to some of the sources is kept in one number, by which most of them are left out before the sources are
 // looked at one by one.
 #include "model/graph/edgewalks.h"
 
@@ -10,18 +10,26 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace quadrille {
 namespace {
 
 constexpr auto sources = static_cast<std::size_t>(EdgeWalks::lanes);
+constexpr std::size_t groups = EdgeWalks::groups;
+constexpr std::size_t inGroup = sources / groups;
+/// By these single precision is on the safe side, whatever it rounded; negative values do not matter.
+constexpr float roundedUp = 1 + 0x1p-21F;
+constexpr float roundedDown = 1 - 0x1p-21F;
 
-/// Lowers the walks to a node by those that come by an edge. \return whether any became cheaper.
+/// Lowers the walks of some sources to a node by those that come by an edge. \return whether any became
+/// cheaper.
+template <std::size_t Count>
 [[gnu::always_inline]] inline bool lower(const double* costs, double weight, double* known)
 {
     int isLower = 0;
 #pragma omp simd reduction(| : isLower)
-    for (std::size_t l = 0; l < sources; ++l) {
+    for (std::size_t l = 0; l < Count; ++l) {
         const double sum = costs[l] + weight;
         isLower |= sum < known[l];
         known[l] = sum < known[l] ? sum : known[l];
@@ -29,33 +37,42 @@ constexpr auto sources = static_cast<std::size_t>(EdgeWalks::lanes);
     return isLower != 0;
 }
 
-/// The edges of one node, by weight, up to the longest, that may make a difference. \param least  what walks
-/// to the node cost. \param worst  of each node, what makes no difference to it any more. \param found  out:
-/// their positions. \return their number.
-[[gnu::always_inline]] inline std::size_t edgesThatMatter(const OutEdge* edges, std::size_t count,
-                                                          double longest, double least, const double* worst,
-                                                          std::uint32_t* found)
+/// The edges of one node that may make a difference. \param least  what walks to the node cost. \param rooms
+/// what walks may cost more than they must to make a difference, by node. \param found  out: their positions.
+/// \return their number.
+[[gnu::always_inline]] inline std::size_t edgesThatMatter(std::span<const EdgeExcess> edges, float least,
+                                                          const float* rooms, std::uint32_t* found)
 {
     std::size_t size = 0;
-    for (std::size_t e = 0; e < count && edges[e].weight <= longest; ++e) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
         // No jump: few are told apart before.
         found[size] = static_cast<std::uint32_t>(e);
-        size += least + edges[e].weight <= worst[edges[e].to] ? 1 : 0;
+        size += edges[e].excess <= rooms[edges[e].to] - least ? 1 : 0;
     }
     return size;
 }
 
-/// Follows them. \param lowered  in: scratch; out: the nodes that became cheaper. \return their number.
+/// Follows them. \param least  by group of sources, then of all. \param rooms  by node, of all sources.
+/// \param groupRooms  by node and group. \param lowered  in: scratch; out: the nodes that became cheaper.
+/// \return their number.
 QUADRILLE_SIMD_CLONES
-std::size_t followEdges(const OutEdge* edges, std::size_t count, double longest, const double* costs,
-                        double least, const double* worst, double* detours, std::uint32_t* lowered)
+std::size_t followEdges(const OutEdge* edges, std::span<const EdgeExcess> excesses, const double* costs,
+                        const float* least, const float* rooms, const float* groupRooms, double* detours,
+                        std::uint32_t* lowered)
 {
-    const std::size_t mattering = edgesThatMatter(edges, count, longest, least, worst, lowered);
+    const std::size_t mattering = edgesThatMatter(excesses, least[groups], rooms, lowered);
     std::size_t found = 0;
     for (std::size_t m = 0; m < mattering; ++m) {
-        const OutEdge& edge = edges[lowered[m]];
-        lowered[found] = static_cast<std::uint32_t>(edge.to);
-        found += lower(costs, edge.weight, detours + std::ptrdiff_t{edge.to} * EdgeWalks::lanes) ? 1 : 0;
+        const std::uint32_t e = lowered[m];
+        const auto node = static_cast<std::size_t>(edges[e].to);
+        lowered[found] = static_cast<std::uint32_t>(node);
+        int isLower = 0;
+        for (std::size_t g = 0; g < groups; ++g) {
+            if (excesses[e].excess <= groupRooms[node * groups + g] - least[g])
+                isLower |= static_cast<int>(lower<inGroup>(costs + g * inGroup, edges[e].weight,
+                                                           detours + node * sources + g * inGroup));
+        }
+        found += isLower != 0 ? 1 : 0;
     }
     return found;
 }
@@ -64,7 +81,7 @@ std::size_t followEdges(const OutEdge* edges, std::size_t count, double longest,
 QUADRILLE_SIMD_CLONES
 bool lowerOne(const double* costs, double weight, double* known)
 {
-    return lower(costs, weight, known);
+    return lower<sources>(costs, weight, known);
 }
 
 /// Whether what comes of walks to a node may count, for any source from which they are nearer than others.
@@ -98,54 +115,58 @@ void takeCheaper(const double* direct, const double* detours, double* passed, do
     }
 }
 
-/// Keeps the costs of those walks that may go on by a transition. \param longest  out: of what they may take.
-/// \return the least.
+/// Keeps the costs of those walks that may go on by a transition. \param least  out: by group, then of all,
+/// or a little less. \return what transitions may cost more than they must.
 QUADRILLE_SIMD_CLONES
-double keepOnward(const EdgeWalks::Limits& limits, double* costs, double& longest)
+float keepOnward(const EdgeWalks::Limits& limits, double* costs, float* least)
 {
-    double least = unreachable;
-    double left = -1;
-#pragma omp simd reduction(min : least) reduction(max : left)
-    for (std::size_t l = 0; l < sources; ++l) {
-        const bool isOnward = costs[l] <= limits.reaches[l] && costs[l] + limits.leaving <= limits.bounds[l];
-        costs[l] = isOnward ? costs[l] : unreachable;
-        least = std::min(least, costs[l]);
-        left = std::max(left, limits.bounds[l] - costs[l]);
+    double most = -unreachable;
+    for (std::size_t g = 0; g < groups; ++g) {
+        double leastHere = unreachable;
+#pragma omp simd reduction(min : leastHere) reduction(max : most)
+        for (std::size_t l = g * inGroup; l < (g + 1) * inGroup; ++l) {
+            const bool isOnward =
+                costs[l] <= limits.reaches[l] && costs[l] + limits.leaving <= limits.bounds[l];
+            costs[l] = isOnward ? costs[l] : unreachable;
+            leastHere = std::min(leastHere, costs[l]);
+            most = std::max(most, limits.reaches[l] - costs[l]);
+        }
+        least[g] = static_cast<float>(leastHere) * roundedDown;
     }
-    longest = left;
-    return least;
+    least[groups] = *std::min_element(least, least + groups);
+    return static_cast<float>(most) * roundedUp;
 }
 
+/// \param rooms  out: what walks to a node may cost more than `arriving` to make a difference, by group, or a
+/// little more. \return of all groups.
 QUADRILLE_SIMD_CLONES
-double worstOf(const double* detours, const float* caps)
+float setRooms(const double* detours, const float* caps, double arriving, float* rooms)
 {
-    double worst = -unreachable;
+    for (std::size_t g = 0; g < groups; ++g) {
+        double worst = -unreachable;
 #pragma omp simd reduction(max : worst)
-    for (std::size_t l = 0; l < sources; ++l) {
-        const double known = std::min(detours[l], static_cast<double>(caps[l]));
-        worst = std::max(worst, known);
+        for (std::size_t l = g * inGroup; l < (g + 1) * inGroup; ++l) {
+            const double known = std::min(detours[l], static_cast<double>(caps[l]));
+            worst = std::max(worst, known);
+        }
+        rooms[g] = static_cast<float>(worst - arriving) * roundedUp;
     }
-    return worst;
+    return *std::max_element(rooms, rooms + groups);
 }
 
 /// The caps of one node. \param caps  in: of undecided edges to it; out: all. \param playing  in: what is
 /// left of the caps of the frames after it, once one has played on to there; out: of this one, too.
 QUADRILLE_SIMD_CLONES
-double capNode(float* caps, double* playing, const double* bounds, const double* reaches, double leaving,
+void setCapsOf(float* caps, double* playing, const double* bounds, const double* reaches, double leaving,
                double alpha, double least)
 {
-    // Rounded, but up.
-    constexpr float up = 1 + 0x1p-22F;
-    double worst = -unreachable;
-#pragma omp simd reduction(max : worst)
+#pragma omp simd
     for (std::size_t l = 0; l < sources; ++l) {
         playing[l] = std::max(playing[l] - alpha, static_cast<double>(caps[l]));
         const double onward = std::min(reaches[l], bounds[l] - leaving);
         const double cap = std::max(std::max(playing[l], onward), least);
-        caps[l] = static_cast<float>(cap) * up;
-        worst = std::max(worst, static_cast<double>(caps[l]));
+        caps[l] = static_cast<float>(cap) * roundedUp;
     }
-    return worst;
 }
 
 /// What an undecided edge is compared with counts up to so much.
@@ -159,6 +180,7 @@ double limitOf(const OutEdge& edge)
 OutEdgeGraph::OutEdgeGraph(const FrameLayout& layout, double weight)
     : alpha(weight)
     , edges(static_cast<std::size_t>(layout.frameCount()))
+    , excesses(edges.size())
     , leaving(edges.size(), unreachable)
     , arriving(edges.size(), unreachable)
     , isLast(edges.size(), 0)
@@ -168,12 +190,30 @@ OutEdgeGraph::OutEdgeGraph(const FrameLayout& layout, double weight)
             isLast[static_cast<std::size_t>(layout.lastOf(s))] = 1;
 }
 
+void OutEdgeGraph::sort(NodeIndex node)
+{
+    OutEdges& own = from(node);
+    const auto excessOf = [this](const OutEdge& edge) {
+        return edge.weight - arriving[static_cast<std::size_t>(edge.to)];
+    };
+    std::sort(own.begin(), own.end(), [&](const OutEdge& a, const OutEdge& b) {
+        const double excess = excessOf(a);
+        const double other = excessOf(b);
+        return excess != other ? excess < other : a.to < b.to;
+    });
+    std::vector<EdgeExcess>& all = excesses[static_cast<std::size_t>(node)];
+    all.reserve(own.size());
+    for (const OutEdge& edge : own)
+        all.push_back({static_cast<float>(excessOf(edge)) * roundedDown, edge.to});
+}
+
 EdgeWalks::EdgeWalks(NodeIndex nodes)
     : m_direct(static_cast<std::size_t>(nodes) * sources, unreachable)
     , m_detours(m_direct.size(), unreachable)
     , m_passed(m_direct.size(), unreachable)
     , m_caps(m_direct.size())
-    , m_worst(static_cast<std::size_t>(nodes))
+    , m_rooms(static_cast<std::size_t>(nodes))
+    , m_groupRooms(m_rooms.size() * groups)
     , m_isTouched(static_cast<std::size_t>(nodes), 0)
     , m_waiting((static_cast<std::size_t>(nodes) + 63) / 64, 0)
     , m_lowered(static_cast<std::size_t>(nodes) + 1)
@@ -260,8 +300,11 @@ void EdgeWalks::setCaps(const OutEdgeGraph& graph)
     for (std::size_t node = graph.edges.size(); node-- > 0;) {
         if (graph.isLast[node])
             playing.fill(-unreachable);
-        m_worst[node] = capNode(m_caps.data() + node * sources, playing.data(), m_bounds.data(),
-                                m_reaches.data(), graph.leaving[node], graph.alpha, least);
+        float* const caps = m_caps.data() + node * sources;
+        setCapsOf(caps, playing.data(), m_bounds.data(), m_reaches.data(), graph.leaving[node], graph.alpha,
+                  least);
+        m_rooms[node] = setRooms(m_detours.data() + node * sources, caps, graph.arriving[node],
+                                 m_groupRooms.data() + node * groups);
     }
 }
 
@@ -273,7 +316,7 @@ std::vector<std::pair<double, NodeIndex>> EdgeWalks::start(const OutEdgeGraph& g
         const auto lane = static_cast<std::size_t>(i - m_first);
         for (const OutEdge& edge : graph.from(i)) {
             if (edge.weight > m_bounds[lane])
-                break;
+                continue;
             m_direct[static_cast<std::size_t>(edge.to) * sources + lane] = edge.weight;
             touch(edge.to);
         }
@@ -312,13 +355,16 @@ void EdgeWalks::pass(const OutEdgeGraph& graph, NodeIndex node)
     const Limits limits = limitsOf(graph, node);
     if (limits.nextCaps && lowerOne(costs.data(), graph.alpha, m_detours.data() + at + sources))
         take(graph, node + 1);
-    double longest = -1;
-    const double least = keepOnward(limits, costs.data(), longest);
-    if (least == unreachable)
-        return;
-    const OutEdges& edges = graph.from(node);
-    const std::size_t count = followEdges(edges.data(), edges.size(), longest, costs.data(), least,
-                                          m_worst.data(), m_detours.data(), m_lowered.data());
+    std::array<float, groups + 1> least{};
+    const float most = keepOnward(limits, costs.data(), least.data());
+    const auto index = static_cast<std::size_t>(node);
+    const std::vector<EdgeExcess>& all = graph.excesses[index];
+    const auto end = std::upper_bound(all.begin(), all.end(), most, [](float limit, const EdgeExcess& edge) {
+        return limit < edge.excess;
+    });
+    const std::size_t count =
+        followEdges(graph.edges[index].data(), {all.begin(), end}, costs.data(), least.data(), m_rooms.data(),
+                    m_groupRooms.data(), m_detours.data(), m_lowered.data());
     for (std::size_t n = 0; n < count; ++n)
         take(graph, static_cast<NodeIndex>(m_lowered[n]));
 }
@@ -328,7 +374,9 @@ void EdgeWalks::take(const OutEdgeGraph& graph, NodeIndex node)
 {
     touch(node);
     const std::size_t at = static_cast<std::size_t>(node) * sources;
-    m_worst[static_cast<std::size_t>(node)] = worstOf(m_detours.data() + at, m_caps.data() + at);
+    const auto index = static_cast<std::size_t>(node);
+    m_rooms[index] = setRooms(m_detours.data() + at, m_caps.data() + at, graph.arriving[index],
+                              m_groupRooms.data() + index * groups);
     if (isWorthPassing(limitsOf(graph, node), m_detours.data() + at, m_direct.data() + at))
         m_waiting[static_cast<std::size_t>(node) / 64] |= std::uint64_t{1} << (node % 64);
 }

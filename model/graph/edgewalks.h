@@ -7,6 +7,7 @@
 #include "model/transition/framelayout.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -30,6 +31,13 @@ struct OutEdge
 };
 using OutEdges = std::vector<OutEdge>;
 
+/// What one looks at before the edge itself.
+struct EdgeExcess
+{
+    float excess; ///< what it weighs more than it costs at least to arrive where it does, or a little less
+    NodeIndex to;
+};
+
 /// What walks of essentialEdges are sought in.
 struct OutEdgeGraph
 {
@@ -39,8 +47,12 @@ struct OutEdgeGraph
     OutEdges& from(NodeIndex node) { return edges[static_cast<std::size_t>(node)]; }
     const OutEdges& from(NodeIndex node) const { return edges[static_cast<std::size_t>(node)]; }
 
-    double alpha;                 ///< weight of original edges
-    std::vector<OutEdges> edges;  ///< of each frame, by weight
+    /// Sorts the edges of a frame by their excess, and notes it. \pre `arriving` is known.
+    void sort(NodeIndex node);
+
+    double alpha;                                  ///< weight of original edges
+    std::vector<OutEdges> edges;                   ///< of each frame
+    std::vector<std::vector<EdgeExcess>> excesses; ///< of the same edges
     std::vector<double> leaving;  ///< what it costs at least to take a transition from each frame, or later
     std::vector<double> arriving; ///< what it costs at least to come to each frame by one, or earlier
     std::vector<std::uint8_t> isLast; ///< of its sequence, by frame
@@ -53,6 +65,7 @@ class EdgeWalks
 {
 public:
     static constexpr NodeIndex lanes = 32;
+    static constexpr std::size_t groups = 4; ///< of lanes that are near to each other
 
     /// Up to what walks to a node count where they go on; by source.
     struct Limits
@@ -98,7 +111,10 @@ private:
     std::vector<double> m_detours; ///< with a node between
     std::vector<double> m_passed;  ///< what was passed on of both
     std::vector<float> m_caps;     ///< no walk to the node that costs more counts, nor does what comes of it
-    std::vector<double> m_worst;   ///< of each node: what no walk of any source that is worth taking exceeds
+    /// By node and group: what walks may cost more than it costs at least to arrive there, to be worth
+    /// taking.
+    std::vector<float> m_rooms;
+    std::vector<float> m_groupRooms; ///< the same by group of sources
     std::vector<std::uint8_t> m_isTouched;
     std::vector<NodeIndex> m_touched;
     std::vector<std::uint64_t> m_waiting; ///< a bit for each node whose edges are to be followed

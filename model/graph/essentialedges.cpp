@@ -89,9 +89,6 @@ private:
                     before = here;
                 }
             }
-            std::sort(edges.begin(), edges.end(), [](const OutEdge& a, const OutEdge& b) {
-                return a.weight != b.weight ? a.weight < b.weight : a.to < b.to;
-            });
         }
     }
 
@@ -128,6 +125,7 @@ private:
                 if (!isOriginal(i, edge.to) && edge.weight * (1 + edgeTie) >= least * (1 - rounding))
                     edge.state = EdgeState::Undecided;
             }
+            m_graph.sort(i);
         });
     }
 

@@ -11,8 +11,8 @@ namespace quadrille {
 /// some sources at a time, each as far as its dearest edge. The same edges, but for those whose cheapest
 /// detour is nearer to 1e-7 of their weight than sums of double precision are exact. \param alpha  ≥ 0.
 /// \throws Error BadArgument (α), Cancelled. Cost: O(frames²), and for each frame the edges that it comes to
-/// for less than its own dearest one weighs. Memory: 16 bytes for each edge that plain playing on does not
-/// replace, 0.9 KB for each frame for each thread.
+/// for less than its own dearest one weighs. Memory: 24 bytes for each edge that plain playing on does not
+/// replace, 1 KB for each frame for each thread.
 Digraph essentialEdges(const TransitionCosts& costs, double alpha, const Progress& progress = {});
 
 } // namespace quadrille
