@@ -12,19 +12,18 @@ namespace quadrille {
 
 namespace {
 
-using Edges = std::array<std::array<double, sliceTriangles>, 3>;
+/// Coordinates of the corners v1, v2, v3 in rows.
+using Corners = std::array<std::array<std::array<float, sliceTriangles>, 3>, 3>;
 
-/// v1−v3 and v2−v3, which lie scattered, in rows.
-[[gnu::always_inline]] inline void gatherEdges(const float* positions, const CornerSlice& corners, Edges& a,
-                                               Edges& b)
+/// They lie scattered. Not converted here: one by one that takes longer than all that follows.
+[[gnu::always_inline]] inline void gatherCorners(const float* positions, const CornerSlice& corners,
+                                                 Corners& rows)
 {
-    for (std::size_t t = 0; t < sliceTriangles; ++t) {
-        const float* p1 = positions + std::size_t{3} * corners.vertices[0][t];
-        const float* p2 = positions + std::size_t{3} * corners.vertices[1][t];
-        const float* p3 = positions + std::size_t{3} * corners.vertices[2][t];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            a[axis][t] = double{p1[axis]} - p3[axis];
-            b[axis][t] = double{p2[axis]} - p3[axis];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (std::size_t t = 0; t < sliceTriangles; ++t) {
+            const float* p = positions + std::size_t{3} * corners.vertices[corner][t];
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                rows[corner][axis][t] = p[axis];
         }
     }
 }
@@ -86,13 +85,13 @@ struct Quaternion
 QUADRILLE_SIMD_CLONES
 void fillTriangleFrames(const float* positions, const CornerSlice& corners, TriangleSlice& out)
 {
-    Edges first;
-    Edges second;
-    gatherEdges(positions, corners, first, second);
+    Corners rows;
+    gatherCorners(positions, corners, rows);
 #pragma omp simd
     for (std::size_t t = 0; t < sliceTriangles; ++t) {
-        const Vector a{first[0][t], first[1][t], first[2][t]};
-        const Vector b{second[0][t], second[1][t], second[2][t]};
+        const Vector origin{double{rows[2][0][t]}, double{rows[2][1][t]}, double{rows[2][2][t]}};
+        const Vector a{rows[0][0][t] - origin.x, rows[0][1][t] - origin.y, rows[0][2][t] - origin.z};
+        const Vector b{rows[1][0][t] - origin.x, rows[1][1][t] - origin.y, rows[1][2][t] - origin.z};
         const Vector n = cross(a, b);
         const double length = std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
         const double area = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z); // of the parallelogram
