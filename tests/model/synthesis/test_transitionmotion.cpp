@@ -3,7 +3,9 @@
 #include "model/synthesis/clips/transitionmotion.h"
 #include "tests/model/transition/swayingtube.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace quadrille {
 namespace {
@@ -154,4 +156,16 @@ TEST(TransitionMotion, DoesNotReverseWhereOneTakeTurnsLeftAndTheOtherRight)
 }
 
 } // namespace
+
+TEST(WrappedAngle, IsTheRemainderOfWholeTurns)
+{
+    constexpr double pi = std::numbers::pi;
+    for (int k = -4000; k <= 4000; ++k) {
+        const double angle = k * pi / 1000 + (k % 7) * 1e-9;
+        const double remainder = std::remainder(angle, 2 * pi);
+        EXPECT_EQ(wrappedAngle(angle), remainder <= -pi ? pi : remainder) << angle;
+    }
+    EXPECT_EQ(wrappedAngle(-pi), pi);
+    EXPECT_EQ(wrappedAngle(pi), pi);
+}
 } // namespace quadrille
