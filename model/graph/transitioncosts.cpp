@@ -4,6 +4,7 @@
 
 #include "model/core/error.h"
 
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -24,7 +25,15 @@ Error refusal(const std::string& reason, const std::string& remedy)
 
 void requireCosts(const Table<float>& cost)
 {
-    if ((cost >= 0).all())
+    std::atomic<bool> isAnyWrong = false;
+    tbb::parallel_for(Eigen::Index{0}, cost.rows(), [&](Eigen::Index i) {
+        int isWrong = 0;
+        for (Eigen::Index j = 0; j < cost.cols(); ++j)
+            isWrong |= static_cast<int>(!(cost(i, j) >= 0));
+        if (isWrong != 0)
+            isAnyWrong = true;
+    });
+    if (!isAnyWrong)
         return;
     for (Eigen::Index i = 0; i < cost.rows(); ++i) {
         for (Eigen::Index j = 0; j < cost.cols(); ++j) {

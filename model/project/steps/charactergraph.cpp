@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -32,6 +33,17 @@ std::uint16_t packedWindows(std::uint16_t source, std::uint16_t destination)
     return fits ? static_cast<std::uint16_t>(source << bitsOfWindow | destination) : std::uint16_t{0};
 }
 
+/// \param both  source and destination window side by side.
+Table<std::uint16_t> packedWindowsOf(const SharedTable<std::uint16_t>& both)
+{
+    Table<std::uint16_t> windows(both->rows(), both->cols() / 2);
+    tbb::parallel_for(Eigen::Index{0}, windows.rows(), [&](Eigen::Index i) {
+        for (Eigen::Index j = 0; j < windows.cols(); ++j)
+            windows(i, j) = packedWindows((*both)(i, 2 * j), (*both)(i, 2 * j + 1));
+    });
+    return windows;
+}
+
 } // namespace
 
 std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
@@ -47,19 +59,20 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
 {
     const auto resultOf = [&](const char* step) { return context.resultOf(work.stepName(step)); };
     const ProjectSettings& settings = work.opener->project().settings;
-    costs = costsOf(work, context);
+    const auto takeDistances = [&](const Result& poses) {
+        distances = sharedTableOf<float>(poses.arrays.front());
+    };
+    const auto takeWindows = [&](const Result& transitions) {
+        greatestStep = greatestStepOf(transitions);
+        windows = packedWindowsOf(sharedTableOf<std::uint16_t>(arrayOf(transitions, "transition-windows")));
+    };
+    costs = costsOf(work, context, {.distances = takeDistances, .transitions = takeWindows});
     layout = costs->layout();
-    auto transitions = resultOf(graphstep::transitions);
-    greatestStep = greatestStepOf(*transitions);
-    const SharedTable<std::uint16_t> both =
-        sharedTableOf<std::uint16_t>(arrayOf(*transitions, "transition-windows"));
-    transitions.reset();
-    windows = Table<std::uint16_t>::Zero(layout.frameCount(), layout.frameCount());
-    for (Eigen::Index i = 0; i < windows.rows(); ++i)
-        for (Eigen::Index j = 0; j < windows.cols(); ++j)
-            windows(i, j) = packedWindows((*both)(i, 2 * j), (*both)(i, 2 * j + 1));
+    if (windows.size() == 0) // they were there already
+        takeWindows(*resultOf(graphstep::transitions));
+    if (distances.empty())
+        takeDistances(*resultOf(graphstep::poseDistance));
     roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
-    distances = sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
     differences.emplace(roots, layout, settings.fps);
     if (knowsDrifts(work.graph))
         drifts.emplace(roots, layout, settings.fps);

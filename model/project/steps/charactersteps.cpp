@@ -111,14 +111,18 @@ float greatestOf(const Result& distances)
 
 namespace {
 
-TransitionCosts makeCosts(const CharacterInputs& work, const StepContext& context)
+TransitionCosts makeCosts(const CharacterInputs& work, const StepContext& context, const CostLooks& looks)
 {
     // One after the other, so that no more of these tables are in memory than are needed at once.
     auto distances = context.resultOf(work.stepName(graphstep::poseDistance));
     const FrameLayout layout = layoutOf(*distances);
     const double greatest = work.graph.greatestDistance.value_or(greatestOf(*distances));
+    if (looks.distances)
+        looks.distances(*distances);
     distances.reset();
     auto transitions = context.resultOf(work.stepName(graphstep::transitions));
+    if (looks.transitions)
+        looks.transitions(*transitions);
     SharedTable<std::uint16_t> lengths =
         sharedTableOf<std::uint16_t>(arrayOf(*transitions, "transition-length"));
     Table<float> costs = takeTable<float>(std::move(transitions), "transition-cost");
@@ -136,10 +140,11 @@ TransitionCosts makeCosts(const CharacterInputs& work, const StepContext& contex
 
 } // namespace
 
-std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context)
+std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context,
+                                               const CostLooks& looks)
 {
     return context.shared<const TransitionCosts>(costInputs(work), costSettings(work.graph).dump(), [&] {
-        return std::make_shared<const TransitionCosts>(makeCosts(work, context));
+        return std::make_shared<const TransitionCosts>(makeCosts(work, context, looks));
     });
 }
 

@@ -102,9 +102,17 @@ float greatestOf(const Result& distances);
 
 /// Whether costs know how far feet are dragged, by the step of drifts.
 bool knowsDrifts(const GraphEntry& graph);
+/// Looks at results on the way: of pose distances, then of transitions.
+struct CostLooks
+{
+    std::function<void(const Result& distances)> distances;
+    std::function<void(const Result& transitions)> transitions;
+};
 /// What the graphs are made of, from the results of the steps that costInputs names; shared by all who want
-/// the same.
-std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context);
+/// the same. \param looks  at results that are read anyway, as large as they are; not called where the
+/// costs are there already.
+std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context,
+                                               const CostLooks& looks = {});
 /// The transitions of the motion graph.
 using CostMinima = std::vector<FramePair>;
 /// Both graphs at an α, shared by all who want them of the same costs. \param make  called where there are
