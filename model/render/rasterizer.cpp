@@ -13,8 +13,14 @@ namespace quadrille {
 RasterBuffers rasterize(Positions positions, std::span<const Triangle> triangles, const Camera& camera,
                         int width, int height, bool withBarycentrics)
 {
+    return rasterize(positions, triangles, Projection(camera, width, height), width, height,
+                     withBarycentrics);
+}
+
+RasterBuffers rasterize(Positions positions, std::span<const Triangle> triangles,
+                        const Projection& projection, int width, int height, bool withBarycentrics)
+{
     constexpr int tileSize = 64;
-    const Projection projection(camera, width, height);
     const ScreenScene scene = projectScene(positions, triangles, projection, width, height, tileSize);
     const std::size_t samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     RasterBuffers out{width, height, std::vector<std::uint32_t>(samples, noTriangle),

@@ -12,6 +12,8 @@
 
 namespace quadrille {
 
+struct Projection;
+
 /// What a sample of the picture sees where it sees nothing.
 inline constexpr std::uint32_t noTriangle = 0xFFFFFFFFU;
 
@@ -34,5 +36,8 @@ struct RasterBuffers
 /// \pre width, height in [1, 16384].
 RasterBuffers rasterize(Positions positions, std::span<const Triangle> triangles, const Camera& camera,
                         int width, int height, bool withBarycentrics = false);
+/// \overload for a camera whose picture is placed otherwise, as that of a calibrated one.
+RasterBuffers rasterize(Positions positions, std::span<const Triangle> triangles,
+                        const Projection& projection, int width, int height, bool withBarycentrics = false);
 
 } // namespace quadrille

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/appearance/texturequality.h"
+#include "model/projection/projectclip.h"
+#include "model/sample/appearance.h"
+#include "tests/model/projection/photographs.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+using namespace quadrille;
+using namespace quadrille::test;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::Ge;
+using ::testing::Le;
+
+namespace {
+
+constexpr int atlasSide = 512;
+constexpr int pictureWidth = 1280;
+constexpr int pictureHeight = 960;
+
+/// Frames of the sample's walk with their own textures, as eight cameras show them.
+class ProjectedSample : public ::testing::Test
+{
+protected:
+    ProjectedSample()
+    {
+        const SampleCharacter sample = makeSampleCharacter({.textureSize = 2 * atlasSide, .takesPerKind = 1});
+        const SampleBody body = forTexturesOf(atlasSide, sample.body);
+        const TexelMap texels = mapTexels(body.topology->data(), atlasSide, 4);
+        const auto walk = std::ranges::find_if(
+            sample.takes, [](const SampleTake& take) { return take.appearance.has_value(); });
+        std::vector<Vec3f> positions;
+        std::vector<Texture> textures;
+        for (const std::int64_t f : {0, 7, 16, 25}) {
+            const Frame posed = walk->sequence.frame(FrameIndex(f));
+            positions.insert(positions.end(), posed.positions().begin(), posed.positions().end());
+            truths.push_back(std::make_shared<const Image>(
+                frameTexture(body, texels, posed.positions(), *walk->appearance, FrameIndex(f))));
+            textures.push_back({{}, truths.back()});
+        }
+        clip = makeSequence("walk", body.topology,
+                            std::make_shared<MemoryFrames>(positions, body.topology->vertexCount()), 25);
+        clip.textures = TextureSet::perFrame(textures);
+        cameras = ringOfCameras(boundsOf(clip), 8, double{pictureWidth} / pictureHeight);
+        for (FrameIndex f(0); f.value < clip.frameCount(); ++f)
+            pictures.push_back(photographs(clip, f, cameras, pictureWidth, pictureHeight));
+    }
+
+    /// SSIM over the texels that some camera sees, of each frame.
+    std::vector<double> similarities(const std::vector<PinholeCamera>& calibrated, std::size_t step = 1)
+    {
+        std::vector<PinholeCamera> used;
+        for (std::size_t c = 0; c < calibrated.size(); c += step)
+            used.push_back(calibrated[c]);
+        const TextureProjector projector(clip.topology, used, atlasSide, atlasSide);
+        std::vector<double> found(truths.size());
+        coverage.assign(truths.size(), 0);
+        for (FrameIndex f(0); f.value < clip.frameCount(); ++f) {
+            const auto at = static_cast<std::size_t>(f.value);
+            std::vector<std::shared_ptr<const Image>> seen;
+            for (std::size_t c = 0; c < calibrated.size(); c += step)
+                seen.push_back(pictures[at][c]);
+            const ProjectedTexels texels = projector.project(clip.frame(f).positions(), seen);
+            const Image baked = filledTexture(projector.atlas(), texels.colours, texels.colours);
+            std::vector<std::uint8_t> mask(static_cast<std::size_t>(atlasSide * atlasSide));
+            for (std::size_t t = 0; t < texels.colours.size(); ++t)
+                mask[projector.atlas().places[t].texel] = texels.colours[t].trust > 0 ? 1 : 0;
+            found[at] = pictureQuality(*truths[at], baked, mask).similarity;
+            coverage[at] = static_cast<double>(texels.seen) / static_cast<double>(texels.colours.size());
+        }
+        return found;
+    }
+
+    MeshSequence clip;
+    std::vector<std::shared_ptr<const Image>> truths;
+    std::vector<Camera> cameras;
+    std::vector<std::vector<std::shared_ptr<const Image>>> pictures;
+    std::vector<double> coverage;
+};
+
+} // namespace
+
+// Measured: 0.977 to 0.980 of 94 to 97 % of the texels. Rendering and looking up blur, which costs the rest.
+TEST_F(ProjectedSample, IsMetWhereCamerasSeeIt)
+{
+    const auto calibrated = pinholesOf(cameras, pictureWidth, pictureHeight);
+    EXPECT_THAT(similarities(calibrated), Each(Ge(0.97)));
+    EXPECT_THAT(coverage, Each(Ge(0.92)));
+    // Half of the cameras see less, and that as well.
+    EXPECT_THAT(similarities(calibrated, 2), Each(Ge(0.97)));
+    EXPECT_THAT(coverage, Each(AllOf(Ge(0.88), Le(0.96))));
+}
+
+// Measured: 0.971 to 0.976 for one pixel, 0.951 to 0.956 for three.
+TEST_F(ProjectedSample, SuffersFromACameraThatIsWrong)
+{
+    auto calibrated = pinholesOf(cameras, pictureWidth, pictureHeight);
+    calibrated.front().cx += 1;
+    const std::vector<double> off = similarities(calibrated);
+    EXPECT_THAT(off, Each(Ge(0.965)));
+    calibrated.front().cx += 2;
+    const std::vector<double> farOff = similarities(calibrated);
+    for (std::size_t f = 0; f < off.size(); ++f)
+        EXPECT_LT(farOff[f], off[f] - 0.01);
+}
