@@ -475,6 +475,13 @@
             <numerusform>Remove %n transfers</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n projections</source>
+        <translation>
+            <numerusform>Remove %n projection</numerusform>
+            <numerusform>Remove %n projections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectPage</name>

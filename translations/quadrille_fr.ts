@@ -4673,6 +4673,10 @@
         <source>Transfers</source>
         <translation>Transferts</translation>
     </message>
+    <message>
+        <source>Projections</source>
+        <translation>Projections</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ClipScene</name>
@@ -10045,6 +10049,13 @@ maximal %2</translation>
             <numerusform>Supprimer %n transferts</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n projections</source>
+        <translation>
+            <numerusform>Supprimer %n projection</numerusform>
+            <numerusform>Supprimer %n projections</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -10390,6 +10401,10 @@ maximal %2</translation>
     <message>
         <source>Transfers (%1)</source>
         <translation>Transferts (%1)</translation>
+    </message>
+    <message>
+        <source>Projections (%1)</source>
+        <translation>Projections (%1)</translation>
     </message>
 </context>
 <context>

@@ -29,6 +29,7 @@ enum class Section
     Variations,
     Appearances,
     Transfers,
+    Projections,
     Evaluations, ///< an entry is called by its table, and its character where it names one: see
                  ///< evaluationName()
     Exports,
@@ -71,6 +72,7 @@ inline constexpr std::tuple named{
     Place<std::vector<VariationEntry>>(Section::Variations, &Project::variations),
     Place<std::vector<AppearanceEntry>>(Section::Appearances, &Project::appearances),
     Place<std::vector<TransferEntry>>(Section::Transfers, &Project::transfers),
+    Place<std::vector<ProjectionEntry>>(Section::Projections, &Project::projections),
     Place<std::vector<ExportEntry>>(Section::Exports, &Project::exports)};
 /// What is edited as one value.
 inline constexpr std::tuple whole{

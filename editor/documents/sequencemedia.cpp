@@ -107,7 +107,7 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         source.entry.character = entry.character;
         source.parts = partsOfClip(document().project(), *clip);
         if (!source.parts->animations.empty() || !source.parts->variations.empty() ||
-            !source.parts->transfers.empty())
+            !source.parts->transfers.empty() || !source.parts->projections.empty())
             source.results = cacheFolder(document().workingFile());
         const ResultStore store(source.results);
         const auto addTime = [&](const std::string& step) {
@@ -124,6 +124,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             addClip("variations/" + variation.name);
         for (const TransferEntry& transfer : source.parts->transfers)
             addClip("transfers/" + transfer.name);
+        for (const ProjectionEntry& projection : source.parts->projections)
+            addClip("projections/" + projection.name);
         // Frames between captured ones have textures of a model, whatever that is made of.
         for (const AppearanceEntry& appearance : document().project().appearances) {
             source.parts->appearances.push_back(

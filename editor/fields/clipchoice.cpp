@@ -51,7 +51,8 @@ void listClips(QComboBox& box, const Project& project, const QStringList& planne
         {Texts::tr("Takes"), clipsOf(project.sequences, QStringLiteral("sequences/"))},
         {Texts::tr("Animations"), clipsOf(project.animations, QStringLiteral("animations/"))},
         {Texts::tr("Variations"), clipsOf(project.variations, QStringLiteral("variations/"))},
-        {Texts::tr("Transfers"), clipsOf(project.transfers, QStringLiteral("transfers/"))}};
+        {Texts::tr("Transfers"), clipsOf(project.transfers, QStringLiteral("transfers/"))},
+        {Texts::tr("Projections"), clipsOf(project.projections, QStringLiteral("projections/"))}};
     const auto count = std::count_if(std::begin(kinds), std::end(kinds),
                                      [](const auto& kind) { return !kind.second.isEmpty(); });
     for (const auto& [heading, clips] : kinds) {

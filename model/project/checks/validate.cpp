@@ -38,6 +38,9 @@ public:
         validateAppearances(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.transfers.size(); ++i)
             checkTransfer(m_project.transfers[i], "/transfers/" + std::to_string(i));
+        for (std::size_t i = 0; i < m_project.projections.size(); ++i)
+            checkShown(m_project.projections[i].clip, "projections/" + m_project.projections[i].name,
+                       "/projections/" + std::to_string(i) + "/clip");
         validateEvaluations(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.exports.size(); ++i) {
             if (const std::string& what = m_project.exports[i].what; !what.empty())
@@ -80,15 +83,22 @@ private:
             checkClip(*clip, pointer + "/source");
     }
 
+    /// The clip that another one is made of.
+    void checkShown(const std::string& clip, const std::string& made, const std::string& pointer)
+    {
+        if (const auto varied = variationOfClip(clip); varied && varied->number == 0)
+            invalid(pointer, quoted(clip) + " names all variations",
+                    "Name one of them, as in “" + clip + "/1”.");
+        else
+            checkClip(clip, pointer);
+        if (isMadeOfItself(m_project, made))
+            invalid(pointer, quoted(made.substr(made.find('/') + 1)) + " is made of itself",
+                    "Break the circle.");
+    }
+
     void checkTransfer(const TransferEntry& transfer, const std::string& pointer)
     {
-        if (const auto varied = variationOfClip(transfer.clip); varied && varied->number == 0)
-            invalid(pointer + "/clip", quoted(transfer.clip) + " names all variations",
-                    "Name one of them, as in “" + transfer.clip + "/1”.");
-        else
-            checkClip(transfer.clip, pointer + "/clip");
-        if (isMadeOfItself(m_project, "transfers/" + transfer.name))
-            invalid(pointer + "/clip", quoted(transfer.name) + " is made of itself", "Break the circle.");
+        checkShown(transfer.clip, "transfers/" + transfer.name, pointer + "/clip");
         std::set<TriangleIndex> seen;
         for (std::size_t i = 0; i < transfer.pairs.size(); ++i) {
             if (!seen.insert(transfer.pairs[i].onTarget).second)
@@ -116,6 +126,11 @@ private:
             const auto known = namesOf(m_project.transfers);
             if (std::find(known.begin(), known.end(), name) == known.end())
                 invalid(pointer, "There is no transfer " + quoted(name),
+                        meantOr(name, known, "Correct the name."));
+        } else if (section == "projections") {
+            const auto known = namesOf(m_project.projections);
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                invalid(pointer, "There is no projection " + quoted(name),
                         meantOr(name, known, "Correct the name."));
         } else if (section == "variations") {
             checkVariationClip(clip, pointer);

@@ -76,6 +76,8 @@ std::vector<std::string> shownBy(const Project& project, const std::string& clip
             shown.push_back(std::move(*source));
         return shown;
     }
+    if (const ProjectionEntry* projection = projectionOfClip(project, clip))
+        return {projection->clip};
     for (const std::string& sequence : sequencesOfClip(project, clip))
         shown.push_back("sequences/" + sequence);
     if (const TransferEntry* transfer = transferOfClip(project, clip)) {
@@ -116,6 +118,10 @@ Project partsOfClip(const Project& project, const std::string& clip)
     for (const TransferEntry& transfer : project.transfers) {
         if (clips.contains("transfers/" + transfer.name))
             parts.transfers.push_back(transfer);
+    }
+    for (const ProjectionEntry& projection : project.projections) {
+        if (clips.contains("projections/" + projection.name))
+            parts.projections.push_back(projection);
     }
     if (!parts.variations.empty())
         parts.bodyParts = project.bodyParts;

@@ -58,6 +58,11 @@ const TransferEntry* findTransfer(const Project& project, const std::string& nam
     return findEntry(project.transfers, name);
 }
 
+const ProjectionEntry* findProjection(const Project& project, const std::string& name)
+{
+    return findEntry(project.projections, name);
+}
+
 const AppearanceEntry* appearanceOf(const Project& project, const std::string& character)
 {
     const auto found = std::ranges::find_if(project.appearances, [&](const AppearanceEntry& entry) {

@@ -15,6 +15,7 @@ const AnimationEntry* findAnimation(const Project& project, const std::string& n
 const VariationEntry* findVariation(const Project& project, const std::string& name);
 const AppearanceEntry* findAppearance(const Project& project, const std::string& name);
 const TransferEntry* findTransfer(const Project& project, const std::string& name);
+const ProjectionEntry* findProjection(const Project& project, const std::string& name);
 /// The model that clips of a character take their textures from: the first one of its own; null without one.
 const AppearanceEntry* appearanceOf(const Project& project, const std::string& character);
 /// The character of an animation, a variation or an appearance: the one it names, or the only one; empty

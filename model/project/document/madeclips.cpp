@@ -16,6 +16,7 @@ namespace {
 constexpr auto animationsSection = "animations";
 constexpr auto variationsSection = "variations";
 constexpr auto transfersSection = "transfers";
+constexpr auto projectionsSection = "projections";
 
 /// Whether a clip is, directly or through others, one of an animation of a character.
 class AnimationSearch
@@ -46,6 +47,8 @@ private:
         if (const TransferEntry* transfer = transferOfClip(m_project, clip))
             return m_seen.insert(clip).second &&
                    (findsIn(transfer->target.sequence) || findsClip(transfer->clip));
+        if (projectionOfClip(m_project, clip) != nullptr)
+            return findsClip(clipBelow(m_project, clip));
         const auto varied = variationOfClip(clip);
         const VariationEntry* variation = varied ? findVariation(m_project, varied->variation) : nullptr;
         return variation != nullptr &&
@@ -90,6 +93,24 @@ const TransferEntry* transferOfClip(const Project& project, std::string_view cli
 {
     const auto name = nameOfClip(clip, transfersSection);
     return name ? findTransfer(project, *name) : nullptr;
+}
+
+const ProjectionEntry* projectionOfClip(const Project& project, std::string_view clip)
+{
+    const auto name = nameOfClip(clip, projectionsSection);
+    return name ? findProjection(project, *name) : nullptr;
+}
+
+std::string clipBelow(const Project& project, const std::string& clip)
+{
+    std::string below = clip;
+    for (std::size_t steps = 0; steps <= project.projections.size(); ++steps) {
+        const ProjectionEntry* projection = projectionOfClip(project, below);
+        if (projection == nullptr)
+            return below;
+        below = projection->clip;
+    }
+    return {};
 }
 
 std::vector<std::string> templateSequences(const Project& project, const TransferEntry& transfer)
@@ -165,12 +186,13 @@ bool isMadeClip(std::string_view clip)
 {
     const auto varied = variationOfClip(clip);
     return nameOfClip(clip, animationsSection).has_value() ||
-           nameOfClip(clip, transfersSection).has_value() || (varied && varied->number > 0);
+           nameOfClip(clip, transfersSection).has_value() ||
+           nameOfClip(clip, projectionsSection).has_value() || (varied && varied->number > 0);
 }
 
 std::string clipStepOf(const std::string& clip)
 {
-    return clip + "/clip";
+    return clip + (nameOfClip(clip, projectionsSection) ? "/textures" : "/clip");
 }
 
 std::vector<std::string> clipStepsOf(const Project& project, const std::string& clip)
@@ -230,6 +252,11 @@ std::vector<std::string> sequencesOfClip(const Project& project, const std::stri
     }
     if (const TransferEntry* transfer = transferOfClip(project, clip))
         return {transfer->target.sequence};
+    if (projectionOfClip(project, clip) != nullptr) {
+        const std::string below = clipBelow(project, clip);
+        const auto name = nameOfClip(below, "sequences");
+        return name ? std::vector{*name} : sequencesOfClip(project, below);
+    }
     std::vector<std::string> names;
     const auto varied = variationOfClip(clip);
     const VariationEntry* variation = varied ? findVariation(project, varied->variation) : nullptr;
@@ -250,6 +277,8 @@ std::string characterOfClip(const Project& project, const std::string& clip)
         const VariationEntry* variation = findVariation(project, varied->variation);
         return variation ? characterNameOf(project, *variation) : "";
     }
+    if (projectionOfClip(project, clip) != nullptr)
+        return characterOfClip(project, clipBelow(project, clip));
     const TransferEntry* transfer = transferOfClip(project, clip);
     const auto name = transfer ? transfer->target.sequence : nameOfClip(clip, "sequences");
     const SequenceEntry* sequence = name ? findSequence(project, *name) : nullptr;

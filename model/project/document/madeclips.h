@@ -25,6 +25,11 @@ struct VariationNumber
 std::optional<VariationNumber> variationOfClip(std::string_view clip);
 /// The transfer that a clip "transfers/NAME" is; null where it is none, or there is no such.
 const TransferEntry* transferOfClip(const Project& project, std::string_view clip);
+/// The projection that a clip "projections/NAME" is; null where it is none, or there is no such.
+const ProjectionEntry* projectionOfClip(const Project& project, std::string_view clip);
+/// The clip whose frames a clip shows with other textures, perhaps through several projections; itself where
+/// it is none. Empty where projections go round in a circle.
+std::string clipBelow(const Project& project, const std::string& clip);
 /// The sequences in which the pose of a transfer's template is found that is like the target's: the one that
 /// the entry names, or all captured ones of the template's character.
 std::vector<std::string> templateSequences(const Project& project, const TransferEntry& transfer);
@@ -46,9 +51,10 @@ std::vector<const VariationEntry*> learnedVariations(const Project& project, con
 /// Names of the parts that an entry learns, the root first; “body” where it is not cut.
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
 
-/// Whether a clip is one that steps make: "animations/NAME", "transfers/NAME" or "variations/NAME/3".
+/// Whether a clip is one that steps make: "animations/NAME", "transfers/NAME", "projections/NAME" or
+/// "variations/NAME/3".
 bool isMadeClip(std::string_view clip);
-/// The step that makes it. \pre isMadeClip.
+/// The step that makes it; of a projection that of its textures. \pre isMadeClip.
 std::string clipStepOf(const std::string& clip);
 /// The steps of the clips that a clip "SECTION/NAME" means, for all of "variations/NAME" those that were not
 /// discarded; none where it is a sequence that shows a file.

@@ -7,6 +7,7 @@
 #include "model/project/document/appearanceentry.h"
 #include "model/project/document/evaluationentry.h"
 #include "model/project/document/problem.h"
+#include "model/project/document/projectionentry.h"
 #include "model/project/document/transferentry.h"
 #include "model/project/document/variationentry.h"
 #include "model/sequence/axes.h"
@@ -124,8 +125,8 @@ TransitionSettings transitionSettings(const GraphEntry& entry, double fps);
 struct ExportEntry
 {
     std::string name;
-    std::string what; ///< "sequences/NAME", "animations/NAME", "transfers/NAME", "variations/NAME/3", or all
-                      ///< of "variations/NAME"
+    std::string what; ///< "sequences/NAME", "animations/NAME", "transfers/NAME", "projections/NAME",
+                      ///< "variations/NAME/3", or all of "variations/NAME"
     std::string path; ///< the ending gives the format, unless `format` does
     std::string format;
     std::optional<FrameRange> range;
@@ -155,6 +156,7 @@ struct Project
     std::vector<VariationEntry> variations;
     std::vector<AppearanceEntry> appearances; ///< the section “appearance”
     std::vector<TransferEntry> transfers;
+    std::vector<ProjectionEntry> projections;
     std::vector<EvaluationEntry> evaluations;
     std::vector<ExportEntry> exports;
     /// Sections and keys that this version does not know.

@@ -6,6 +6,7 @@
 #include "model/project/fields/describeappearance.h"
 #include "model/project/fields/describeexport.h"
 #include "model/project/fields/describegraph.h"
+#include "model/project/fields/describeprojection.h"
 #include "model/project/fields/describetransfer.h"
 #include "model/project/fields/describevariation.h"
 
@@ -84,6 +85,8 @@ void describe(Fields& f, Type<Project>)
     f.list("appearance", &E::appearances,
            {.help = "Models of the textures of characters; clips of a character take the first of its own."});
     f.list("transfers", &E::transfers, {.help = "Clips that other meshes perform."});
+    f.list("projections", &E::projections,
+           {.help = "Clips with textures from pictures of calibrated cameras."});
     f.list("evaluations", &E::evaluations,
            {.help = "Which of the papers' tables to compute, as “fig7” or {\"table\": \"fig7\", …}.",
             .shortKey = "table"});

@@ -90,6 +90,7 @@ template std::size_t memoryOf(const AnimationEntry&);
 template std::size_t memoryOf(const VariationEntry&);
 template std::size_t memoryOf(const AppearanceEntry&);
 template std::size_t memoryOf(const TransferEntry&);
+template std::size_t memoryOf(const ProjectionEntry&);
 template std::size_t memoryOf(const EvaluationEntry&);
 template std::size_t memoryOf(const ExportEntry&);
 template std::size_t memoryOf(const Project&);

@@ -100,6 +100,7 @@ enum class NamedKind
     Animation,
     Variation,
     Transfer,
+    Projection,
 };
 
 /// What a text or a number stands for.

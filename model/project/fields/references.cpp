@@ -29,6 +29,8 @@ constexpr std::optional<NamedKind> kindOf()
         return NamedKind::Variation;
     else if constexpr (std::is_same_v<Entry, TransferEntry>)
         return NamedKind::Transfer;
+    else if constexpr (std::is_same_v<Entry, ProjectionEntry>)
+        return NamedKind::Projection;
     else
         return std::nullopt;
 }

@@ -248,6 +248,11 @@ Json writeFields(const TransferEntry& transfer)
     return toJson(transfer, {CoordinateSystem()});
 }
 
+Json writeFields(const ProjectionEntry& projection)
+{
+    return toJson(projection, {CoordinateSystem()});
+}
+
 Json writeFields(const AnimationEntry& animation, UpAxis up)
 {
     return toJson(animation, {CoordinateSystem{up, 1}});

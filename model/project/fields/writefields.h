@@ -16,6 +16,7 @@ Json writeFields(const BodyPartsEntry& parts);
 Json writeFields(const VariationEntry& variation);
 Json writeFields(const AppearanceEntry& appearance);
 Json writeFields(const TransferEntry& transfer);
+Json writeFields(const ProjectionEntry& projection);
 Json writeFields(const AnimationEntry& animation, UpAxis up);
 /// All that the frames of an animation depend on as one line of text, for the key of a result: no sound, no
 /// camera and no notes.

@@ -9,6 +9,7 @@
 #include "model/project/document/paths.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/store/clipresult.h"
+#include "model/project/store/projectionresult.h"
 #include "model/project/store/resultstore.h"
 #include "model/sequence/io/basemesh.h"
 #include "model/sequence/io/mesh/findtextures.h"
@@ -155,8 +156,25 @@ std::vector<fs::path> SequenceOpener::filesOf(const std::string& name, const Pro
     return open(name, progress)->files;
 }
 
+OpenedSequence SequenceOpener::openProjection(const ProjectionEntry& entry, const Progress& progress)
+{
+    if (isMadeOfItself(m_project, "projections/" + entry.name))
+        throwInvalid("“" + entry.name + "” is made of itself", QUADRILLE_MESSAGE("Break the circle."));
+    OpenedSequence opened = *openClip(entry.clip, progress);
+    MeshSequence& sequence = opened.sequence;
+    auto textures = projectedTextures(m_results, m_folder, entry.name, sequence);
+    if (!textures)
+        throwInvalid({}, "The clip “projections/" + entry.name + "” is not computed yet",
+                     QUADRILLE_MESSAGE("Rebuild the project."));
+    sequence.name = entry.name;
+    sequence.textures = std::move(*textures);
+    return opened;
+}
+
 OpenedSequence SequenceOpener::openMadeClip(const std::string& clip, const Progress& progress)
 {
+    if (const ProjectionEntry* projection = projectionOfClip(m_project, clip))
+        return openProjection(*projection, progress);
     const std::vector<std::string> names = sequencesOfClip(m_project, clip);
     if (names.empty())
         throwInvalid({}, "There is no clip “" + clip + "”", QUADRILLE_MESSAGE("Correct the name."));

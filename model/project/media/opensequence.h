@@ -64,6 +64,7 @@ private:
 
     OpenedSequence openEntry(const SequenceEntry& entry, const Progress& progress);
     OpenedSequence openMadeClip(const std::string& clip, const Progress& progress);
+    OpenedSequence openProjection(const ProjectionEntry& entry, const Progress& progress);
     OpenedSequence openFile(const SequenceEntry& entry, const CharacterEntry* character,
                             const Progress& progress);
     void shareTopology(OpenedSequence& opened, const CharacterEntry& character);

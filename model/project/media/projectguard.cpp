@@ -6,6 +6,7 @@
 #include "model/core/file.h"
 #include "model/project/document/paths.h"
 #include "model/project/json/jsontext.h"
+#include "model/project/media/cameratable.h"
 #include "model/project/media/media.h"
 #include "model/project/media/opensequence.h"
 #include "model/project/store/resultplaces.h"
@@ -124,6 +125,15 @@ std::vector<ProtectedFile> namedByMedia(const Project& project, const fs::path& 
                 add(file, "sequences/" + entry.name);
         } catch (const Error&) {
             continue; // what cannot be opened names nothing
+        }
+    }
+    for (const ProjectionEntry& entry : project.projections) {
+        try {
+            for (const CameraSeries& series : readCameraTable(resolvePath(entry.cameras, folder), {}, {}))
+                for (const auto& [frame, picture] : series.pictures)
+                    add(picture, "projections/" + entry.name);
+        } catch (const Error&) {
+            continue; // the same of tables
         }
     }
     return files;

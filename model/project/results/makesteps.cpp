@@ -61,7 +61,7 @@ std::vector<BuildStep> makeSteps(const StepMaking& making)
     std::vector<BuildStep> steps;
     for (auto make :
          {makeSequenceSteps, makeGraphSteps, makeAnimationSteps, makeVariationSteps, makeAppearanceSteps,
-          makeTransferSteps, makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
+          makeTransferSteps, makeProjectionSteps, makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
         for (BuildStep& step : make(making))
             steps.push_back(std::move(step));
     }

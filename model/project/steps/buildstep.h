@@ -108,6 +108,8 @@ std::vector<BuildStep> makeVariationSteps(const StepMaking& making);
 std::vector<BuildStep> makeAppearanceSteps(const StepMaking& making);
 /// Clips of the section “transfers”.
 std::vector<BuildStep> makeTransferSteps(const StepMaking& making);
+/// Textures of the section “projections”.
+std::vector<BuildStep> makeProjectionSteps(const StepMaking& making);
 /// One picture of the project's sequences, contact-sheet.png among the results.
 std::vector<BuildStep> makeSheetSteps(const StepMaking& making);
 

@@ -4,6 +4,7 @@
 
 #include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
+#include "tests/model/project/fullprojection.h"
 #include "tests/model/project/fulltransfer.h"
 #include "tests/model/project/fullvariation.h"
 #include "tests/model/project/testproject.h"
@@ -157,6 +158,7 @@ inline Project fullProject()
     project.variations = {fullVariation()};
     project.appearances = {fullAppearance()};
     project.transfers = {fullTransfer()};
+    project.projections = {fullProjection()};
     EvaluationEntry evaluation;
     evaluation.table = "fig9";
     evaluation.character = "liam";

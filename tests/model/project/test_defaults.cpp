@@ -51,6 +51,7 @@ const std::map<std::string, Place> places{
     {"named_frame", {"/variations/0/template", "template"}},
     {"appearance", {"/appearance/0", "appearance"}},
     {"transfer", {"/transfers/0", "transfers"}},
+    {"projection", {"/projections/0", "projections"}},
     {"mask_stroke", {"/appearance/0/completions/0/strokes/0", "appearance.completions.strokes"}},
     {"export", {"/exports/0", "exports"}},
     {"picture", {"/exports/0/picture", "exports.picture"}},

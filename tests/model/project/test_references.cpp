@@ -158,6 +158,26 @@ TEST(References, OfATransferFollowNamesAndTakeItAlong)
     }
 }
 
+TEST(References, OfAProjectionFollowNamesAndTakeItAlong)
+{
+    Project project = fullProject();
+    SequenceEntry shown = sequenceOf("shown", "clip:projections/filmed");
+    shown.character = "liam";
+    project.sequences.push_back(shown);
+    renameEntry(project, NamedKind::Projection, "filmed", "video");
+    project.projections.front().name = "video";
+    EXPECT_EQ(project.sequences.back().source, "clip:projections/video");
+    renameEntry(project, NamedKind::Sequence, "talk", "speak");
+    EXPECT_EQ(project.projections.front().clip, "sequences/speak");
+    removeEntries(project, NamedKind::Sequence, {"talk"});
+    removeEntries(project, NamedKind::Projection, {"video"});
+    EXPECT_TRUE(project.projections.empty());
+    EXPECT_NE(project.sequences.back().name, "shown");
+    project = fullProject();
+    removeEntries(project, NamedKind::Sequence, {"talk"});
+    EXPECT_TRUE(project.projections.empty());
+}
+
 TEST(References, ToAnAnimationTakeWhatShowsIt)
 {
     Project project = referringProject();

@@ -109,6 +109,7 @@ const std::pair<const char*, const char*> fullObjects[] = {
     {"appearance", "/appearance/0"},
     {"completion", "/appearance/0/completions/0"},
     {"transfer", "/transfers/0"},
+    {"projection", "/projections/0"},
     {"mask_stroke", "/appearance/0/completions/0/strokes/0"},
     {"export", "/exports/0"},
     {"picture", "/exports/0/picture"},

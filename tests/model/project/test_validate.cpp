@@ -67,6 +67,31 @@ TEST(Validate, TransfersAreChecked)
     EXPECT_THAT(problemOf([](Entry& e) { e.scale = 0; }), HasSubstr("/transfers/0/scale"));
 }
 
+TEST(Validate, ProjectionsAreChecked)
+{
+    const auto problemOf = [](auto change) {
+        Project project = fullProject();
+        change(project.projections[0]);
+        return onlyProblem(project);
+    };
+    using Entry = ProjectionEntry;
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "sequences/takl"; }),
+                AllOf(HasSubstr("/projections/0/clip"), HasSubstr("Did you mean “talk”?")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "projections/film"; }),
+                HasSubstr("There is no projection"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "projections/filmed"; }), HasSubstr("made of itself"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.clip = "variations/softer"; }), HasSubstr("/projections/0/clip"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.size = 15; }), HasSubstr("/projections/0/size"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.sharpness = 17; }), HasSubstr("/projections/0/sharpness"));
+    // Two of which each shows the other.
+    Project project = fullProject();
+    project.projections.push_back(project.projections[0]);
+    project.projections[1].name = "again";
+    project.projections[0].clip = "projections/again";
+    project.projections[1].clip = "projections/filmed";
+    EXPECT_EQ(validate(project).size(), 2U);
+}
+
 TEST(Validate, ModelsOfAppearanceAreChecked)
 {
     const auto problemOf = [](auto change) {
