@@ -102,8 +102,9 @@ void CameraView::frameIdealPicture()
     low = low.cwiseMax(-1.5 * size).array().floor() - 1;
     high = high.cwiseMin(1.5 * size).array().ceil() + 1;
     m_middle = -low;
-    m_width = std::max(static_cast<int>(high.x() - low.x()) + 1, 1);
-    m_height = std::max(static_cast<int>(high.y() - low.y()) + 1, 1);
+    constexpr int largest = 16384; // see rasterize
+    m_width = std::clamp(static_cast<int>(high.x() - low.x()) + 1, 1, largest);
+    m_height = std::clamp(static_cast<int>(high.y() - low.y()) + 1, 1, largest);
 }
 
 Vec2d CameraView::idealAt(std::size_t sample) const
