@@ -136,6 +136,9 @@ TEST_F(CardBeforeAWall, MayReachBehindTheCamera)
 
 TEST_F(CardBeforeAWall, IsAsSeenThroughALens)
 {
+    // The picture ends before the wall does; where the lens draws things together it shows more than one of
+    // this size would without it.
+    camera.fx = camera.fy = 260;
     for (const double k1 : {-0.1, 0.2}) {
         camera.distortion = {k1, 0, 0.001, -0.001, 0};
         const CameraLens lens(camera);
