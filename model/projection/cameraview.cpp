@@ -214,7 +214,8 @@ std::optional<Sight> CameraView::sightOf(const SurfaceSample& sample) const
         isHidden(sample, sight.place, x, y))
         return std::nullopt;
     // A pixel at an edge shows both sides of it, and so does what is interpolated between it and the next.
-    const double fromEdge = (edgeDistance(at) - 1) / m_options.edgeMargin;
+    sight.clearance = edgeDistance(at);
+    const double fromEdge = (sight.clearance - 1) / m_options.edgeMargin;
     sight.trust = faded((cosine - m_options.grazing) / (m_options.facing - m_options.grazing)) *
                   faded(border / m_options.borderMargin) * faded(fromEdge);
     constexpr double least = 1e-6; // weights are of single precision

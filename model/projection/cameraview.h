@@ -33,10 +33,11 @@ struct SurfaceSample
 /// How a camera sees a point.
 struct Sight
 {
-    Vec2d pixel;       ///< where
-    Vec3d place;       ///< in the camera
-    double trust = 0;  ///< 0 … 1, above 0: less at grazing angles, edges of what lies in front, and borders
-    double weight = 0; ///< trust · cosineˢʰᵃʳᵖⁿᵉˢˢ
+    Vec2d pixel;      ///< where
+    Vec3d place;      ///< in the camera
+    double trust = 0; ///< 0 … 1, above 0: less at grazing angles, edges of what lies in front, and borders
+    double clearance = 0; ///< how far the next edge is, pixels
+    double weight = 0;    ///< trust · cosineˢʰᵃʳᵖⁿᵉˢˢ
 };
 
 /// What one camera sees of one frame: a map of depths, of its ideal picture, without the lens's distortion.

@@ -68,6 +68,13 @@ Vec2f pixelsAlong(const PinholeCamera& camera, const Vec3d& place, const Vec3d& 
         .cast<float>();
 }
 
+/// The coarsest level whose samples do not reach over an edge. They take in one and a half texels of the
+/// level above it, which are twice as large.
+float coarsestNear(double clearance)
+{
+    return static_cast<float>(std::log2(std::max(clearance / 3, 1.0)));
+}
+
 } // namespace
 
 /// Weighted sums of all cameras so far.
@@ -162,8 +169,10 @@ void TextureProjector::addCamera(std::size_t camera, Positions positions, std::s
                 const auto sight = view.sightOf(texel.sample);
                 if (!sight)
                     continue;
-                const float level = MipTexture::levelFor(pixelsAlong(own, sight->place, texel.steps[0]),
-                                                         pixelsAlong(own, sight->place, texel.steps[1]));
+                const float level =
+                    std::min(MipTexture::levelFor(pixelsAlong(own, sight->place, texel.steps[0]),
+                                                  pixelsAlong(own, sight->place, texel.steps[1])),
+                             coarsestNear(sight->clearance));
                 const Vec2f at(static_cast<float>((sight->pixel.x() + 0.5) / own.width),
                                static_cast<float>(1 - (sight->pixel.y() + 0.5) / own.height));
                 const auto weight = static_cast<float>(sight->weight);

@@ -5,6 +5,7 @@
 #include "tests/model/projection/photographs.h"
 #include "tests/model/render/scenes.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -99,8 +100,50 @@ TEST(TextureProjector, TakesTheMeanOfWhatIsFinerThanATexel)
     const ProjectedTexels projected =
         projector.project(quadPositions(-64, -64, 64, 64), std::vector<Picture>{picture});
     EXPECT_EQ(projected.seen, 256);
-    for (const ProjectedTexels::Colour& colour : projected.colours)
-        EXPECT_NEAR(int{colour.red}, 64, 2);
+    // Near the edges of the sheet samples are finer, so that they do not reach over them.
+    for (std::size_t t = 0; t < projected.colours.size(); ++t)
+        if (std::min({t % 16, 15 - t % 16, t / 16, 15 - t / 16}) >= 3) {
+            EXPECT_NEAR(int{projected.colours[t].red}, 64, 2) << t;
+        }
+}
+
+TEST(TextureProjector, KeepsApartWhatLiesInFrontAndBehind)
+{
+    // A black card before a white wall, in the right and the left half of the atlas. Texels have 25 pixels.
+    TopologyData data = quadTopology();
+    data.vertexCount = 8;
+    for (std::size_t t = 0; t < 2; ++t) {
+        Triangle card = data.triangles[t];
+        for (VertexIndex& corner : card)
+            corner.value += 4;
+        data.triangles.push_back(card);
+        data.triangleUvs.push_back(data.triangleUvs[t]);
+        for (std::uint32_t& uv : data.triangleUvs.back())
+            uv += 4;
+    }
+    data.uvs = {{0, 0}, {0.5F, 0}, {0.5F, 1}, {0, 1}, {0.5F, 0}, {1, 0}, {1, 1}, {0.5F, 1}};
+    std::vector<Vec3f> positions = quadPositions(-20, -20, 20, 20);
+    const std::vector<Vec3f> card = quadPositions(-4, -4, 4, 4, 10);
+    positions.insert(positions.end(), card.begin(), card.end());
+    auto picture = std::make_shared<Image>(400, 400);
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 400; ++x)
+            std::fill_n(
+                picture->pixel(x, y), 4,
+                static_cast<std::uint8_t>(std::max(std::abs(x - 199.5), std::abs(y - 199.5)) < 80 ? 0 : 255));
+    const TextureProjector projector(std::make_shared<const Topology>(data),
+                                     {pinholeOf(unitCamera(20), 400, 400)}, 32, 16);
+    const ProjectedTexels projected = projector.project(positions, std::vector<Picture>{picture});
+    std::array<int, 2> seen{};
+    for (std::size_t t = 0; t < projected.colours.size(); ++t) {
+        const bool isCard = projector.atlas().places[t].texel % 32 >= 16;
+        if (projected.colours[t].trust == 0)
+            continue;
+        EXPECT_EQ(int{projected.colours[t].red}, isCard ? 0 : 255);
+        ++seen[isCard ? 1 : 0];
+    }
+    EXPECT_EQ(seen[0], 256 - 36); // all but those behind the card
+    EXPECT_EQ(seen[1], 256);
 }
 
 TEST(TextureProjector, BlendsInLinearLight)
