@@ -169,10 +169,11 @@ void TextureProjector::addCamera(std::size_t camera, Positions positions, std::s
                 const auto sight = view.sightOf(texel.sample);
                 if (!sight)
                     continue;
-                const float level =
-                    std::min(MipTexture::levelFor(pixelsAlong(own, sight->place, texel.steps[0]),
-                                                  pixelsAlong(own, sight->place, texel.steps[1])),
-                             coarsestNear(sight->clearance));
+                // A sample reaches over two texels of its level: those of half the size do.
+                const float size = MipTexture::levelFor(pixelsAlong(own, sight->place, texel.steps[0]),
+                                                        pixelsAlong(own, sight->place, texel.steps[1])) -
+                                   1;
+                const float level = std::min(size, coarsestNear(sight->clearance));
                 const Vec2f at(static_cast<float>((sight->pixel.x() + 0.5) / own.width),
                                static_cast<float>(1 - (sight->pixel.y() + 0.5) / own.height));
                 const auto weight = static_cast<float>(sight->weight);

@@ -84,24 +84,25 @@ protected:
 
 } // namespace
 
-// Measured: 0.977 to 0.980 of 94 to 97 % of the texels. Rendering and looking up blur, which costs the rest.
+// Measured: 0.983 to 0.986 of 94 to 97 % of the texels; of 90 to 94 % with four cameras. Rendering and
+// looking up blur, which costs the rest.
 TEST_F(ProjectedSample, IsMetWhereCamerasSeeIt)
 {
     const auto calibrated = pinholesOf(cameras, pictureWidth, pictureHeight);
-    EXPECT_THAT(similarities(calibrated), Each(Ge(0.97)));
+    EXPECT_THAT(similarities(calibrated), Each(Ge(0.98)));
     EXPECT_THAT(coverage, Each(Ge(0.92)));
     // Half of the cameras see less, and that as well.
-    EXPECT_THAT(similarities(calibrated, 2), Each(Ge(0.97)));
+    EXPECT_THAT(similarities(calibrated, 2), Each(Ge(0.98)));
     EXPECT_THAT(coverage, Each(AllOf(Ge(0.88), Le(0.96))));
 }
 
-// Measured: 0.971 to 0.976 for one pixel, 0.951 to 0.956 for three.
+// Measured: 0.976 to 0.980 for one pixel, 0.956 to 0.959 for three.
 TEST_F(ProjectedSample, SuffersFromACameraThatIsWrong)
 {
     auto calibrated = pinholesOf(cameras, pictureWidth, pictureHeight);
     calibrated.front().cx += 1;
     const std::vector<double> off = similarities(calibrated);
-    EXPECT_THAT(off, Each(Ge(0.965)));
+    EXPECT_THAT(off, Each(Ge(0.97)));
     calibrated.front().cx += 2;
     const std::vector<double> farOff = similarities(calibrated);
     for (std::size_t f = 0; f < off.size(); ++f)
