@@ -3,7 +3,7 @@
 #include "model/project/steps/transferbodies.h"
 
 #include "model/core/error.h"
-#include "model/project/document/paths.h"
+#include "model/project/document/madeclips.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/sequence/contacts.h"
 
