@@ -4878,6 +4878,10 @@
         <source>right shin</source>
         <translation>jambe droite</translation>
     </message>
+    <message>
+        <source>%1, filmed</source>
+        <translation>%1, filmé</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::CurrentVariation</name>
@@ -8231,6 +8235,10 @@
         <source>&amp;Pairs</source>
         <translation>&amp;Paires</translation>
     </message>
+    <message>
+        <source>Wor&amp;kspace</source>
+        <translation>Espace de &amp;travail</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MovementPanel</name>
@@ -8557,6 +8565,10 @@
     <message>
         <source>Without a pair: %1. How they turn is guessed from what is beside them.</source>
         <translation>Sans paire : %1. La façon dont ces parties tournent est devinée d’après leurs voisines.</translation>
+    </message>
+    <message>
+        <source>The body is %1 times as tall as the template: its file may be in another unit, which the properties of its take can name.</source>
+        <translation>Le corps est %1 fois aussi grand que le gabarit : son fichier est peut-être dans une autre unité, que les propriétés de sa prise peuvent nommer.</translation>
     </message>
 </context>
 <context>
@@ -10405,6 +10417,96 @@ maximal %2</translation>
     <message>
         <source>Projections (%1)</source>
         <translation>Projections (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectionEdits</name>
+    <message>
+        <source>Add 3D video “%1”</source>
+        <translation>Ajouter la vidéo 3D « %1 »</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::ProjectionPage</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the project</source>
+        <translation>Unique dans le projet</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
+    </message>
+    <message>
+        <source>The table of calibrated cameras and their pictures, JSON; a click chooses another</source>
+        <translation>La table des caméras calibrées et de leurs images, JSON ; un clic en choisit une autre</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>What the cameras saw, frame by frame: a take or a transferred clip</source>
+        <translation>Ce que les caméras ont vu, image par image : une prise ou un clip transféré</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Side of the textures, texels; where texels are smaller than the pictures’ pixels, textures get soft</source>
+        <translation>Côté des textures, en texels ; là où les texels sont plus petits que les pixels des images, les textures deviennent douces</translation>
+    </message>
+    <message>
+        <source>Sharpness</source>
+        <translation>Netteté</translation>
+    </message>
+    <message>
+        <source>How much more cameras count that see a surface from the front; 0 takes all alike</source>
+        <translation>À quel point comptent davantage les caméras qui voient une surface de face ; 0 les prend toutes également</translation>
+    </message>
+    <message>
+        <source>Fill what no camera sees</source>
+        <translation>Remplir ce qu’aucune caméra ne voit</translation>
+    </message>
+    <message>
+        <source>From other frames, and else from what is beside it; otherwise it is black</source>
+        <translation>D’après d’autres images, sinon d’après ce qui est à côté ; autrement c’est noir</translation>
+    </message>
+    <message>
+        <source>Choose a table of cameras</source>
+        <translation>Choisir une table de caméras</translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation>Caméras (*.json)</translation>
+    </message>
+    <message>
+        <source>Choose cameras</source>
+        <translation>Choisir des caméras</translation>
+    </message>
+    <message>
+        <source>3D video “%1”</source>
+        <translation>Vidéo 3D « %1 »</translation>
+    </message>
+    <message>
+        <source>Compute the textures</source>
+        <translation>Calculer les textures</translation>
+    </message>
+    <message>
+        <source>Add as a take</source>
+        <translation>Ajouter comme prise</translation>
+    </message>
+    <message>
+        <source>Computes the textures and adds the clip that wears them to the takes</source>
+        <translation>Calcule les textures et ajoute aux prises le clip qui les porte</translation>
     </message>
 </context>
 <context>
@@ -12605,6 +12707,22 @@ maximal %2</translation>
     <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>New 3D &amp;video…</source>
+        <translation>Nouvelle &amp;vidéo 3D…</translation>
+    </message>
+    <message>
+        <source>Projects pictures of calibrated cameras onto the clip: its textures then are what they saw</source>
+        <translation>Projette les images de caméras calibrées sur le clip : ses textures sont alors ce qu’elles ont vu</translation>
+    </message>
+    <message>
+        <source>Choose a table of cameras</source>
+        <translation>Choisir une table de caméras</translation>
+    </message>
+    <message>
+        <source>Cameras (*.json)</source>
+        <translation>Caméras (*.json)</translation>
     </message>
 </context>
 <context>

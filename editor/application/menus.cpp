@@ -69,9 +69,11 @@ void Menus::addFile()
 
 void Menus::addView()
 {
-    m_view = addMenu("viewMenu", [] { return tr("&View"); },
-                     {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations",
-                      "workspace.appearance", "workspace.transfer", ""});
+    m_view = addMenu("viewMenu", [] { return tr("&View"); }, {});
+    addSubmenu(*m_view, "workspaceMenu", [] { return tr("Wor&kspace"); },
+               {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations",
+                "workspace.appearance", "workspace.transfer"});
+    fill(*m_view, {""});
     addSubmenu(*m_view, "shadingMenu", [] { return tr("&Shading"); },
                {"view.textured", "view.clay", "view.wire"});
     addSubmenu(*m_view, "showMenu", [] { return tr("Sho&w"); },
@@ -166,7 +168,7 @@ void Menus::addTransfer()
         {"transfer.new", "transfer.duplicate", "", "transfer.reference", "transfer.takeReference", ""});
     addSubmenu(*transfer, "pairsMenu", [] { return tr("&Pairs"); },
                {"transfer.propose", "transfer.mirror", "transfer.mirrorAll", "transfer.removePair"});
-    fill(*transfer, {"", "transfer.addSequence", "transfer.export"});
+    fill(*transfer, {"", "transfer.addSequence", "transfer.export", "", "projection.new"});
 }
 
 void Menus::addLanguages()

@@ -7,6 +7,7 @@
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"
 #include "editor/commands/projectedits.h"
+#include "editor/commands/projectionedits.h"
 #include "editor/commands/transferedits.h"
 #include "editor/commands/variationedits.h"
 #include "editor/context/editorcontext.h"
@@ -252,6 +253,9 @@ void ProjectPanel::duplicateSelected()
     else if (current.section == Section::Appearances)
         m_context.selection.select(
             {Section::Appearances, duplicateAppearance(m_context.document, current.name)});
+    else if (current.section == Section::Projections)
+        m_context.selection.select(
+            {Section::Projections, duplicateProjection(m_context.document, current.name)});
     else if (current.section == Section::Transfers)
         m_context.selection.select({Section::Transfers, duplicateTransfer(m_context.document, current.name)});
     else

@@ -10,6 +10,7 @@
 #include "editor/properties/brokenpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
+#include "editor/properties/projectionpage.h"
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
 #include "editor/properties/transferpage.h"
@@ -36,6 +37,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
                 {Section::Variations, new VariationPage(context)},
                 {Section::Appearances, new AppearancePage(context)},
                 {Section::Transfers, new TransferPage(context)},
+                {Section::Projections, new ProjectionPage(context)},
                 {Section::Exports, new ExportPage(context)},
                 {Section::Project, new BrokenPage(context)}}
 {

@@ -307,6 +307,27 @@ private slots:
         QCOMPARE(transfer().result()->entry.name, std::string("statue"));
     }
 
+    void picturesOfCamerasAreProjectedOntoIt()
+    {
+        openReady();
+        context().selection.select({Section::Transfers, "stone dances"});
+        const QString cameras = QDir(m_folder->path()).filePath("cameras.json");
+        QCOMPARE(transfer().addProjection(cameras), QStringLiteral("stone dances, filmed"));
+        const auto projection = [this]() -> const ProjectionEntry& {
+            return document().project().projections.front();
+        };
+        QCOMPARE(projection().clip, std::string("transfers/stone dances"));
+        QCOMPARE(QString::fromStdString(projection().cameras), cameras);
+        find<QCheckBox>("projectionFills")->click();
+        QCOMPARE(projection().fills, false);
+        document().undoStack()->undo();
+        QCOMPARE(projection().fills, true);
+        // Of a take where that is what is selected.
+        context().selection.selectSequences({"dance"});
+        transfer().addProjection(cameras);
+        QCOMPARE(document().project().projections.back().clip, std::string("sequences/dance"));
+    }
+
     void nobodyLooksNothingIsComputed()
     {
         document().reset(transferred());

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/transfer/currenttransfer.h"
 
+#include "editor/commands/projectionedits.h"
 #include "editor/commands/transferedits.h"
 #include "editor/context/editorcontext.h"
+#include "editor/documents/projectpaths.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 
@@ -228,6 +230,20 @@ QString CurrentTransfer::add()
     transfer.name = tr("%1 by %2").arg(shown, QString::fromStdString(transfer.target.sequence)).toStdString();
     QString added = addTransfer(m_context.document, std::move(transfer));
     m_context.selection.select({Section::Transfers, added});
+    return added;
+}
+
+QString CurrentTransfer::addProjection(const QString& cameras)
+{
+    ProjectionEntry projection;
+    const bool isOfTransfer =
+        entry() != nullptr && m_context.selection.current() == EntryRef{Section::Transfers, name()};
+    const QString clip = isOfTransfer ? name() : m_context.selection.shownSequence();
+    projection.clip = (isOfTransfer ? "transfers/" : "sequences/") + clip.toStdString();
+    projection.cameras = toPath(cameras).generic_string();
+    projection.name = tr("%1, filmed").arg(clip).toStdString();
+    QString added = quadrille::addProjection(m_context.document, std::move(projection));
+    m_context.selection.select({Section::Projections, added});
     return added;
 }
 

@@ -73,6 +73,10 @@ public:
     /// Adds a transfer of the clip that is looked at elsewhere onto the first other body. \return its name.
     QString add();
 
+    /// Adds a projection of pictures onto the transferred clip, or without one onto the take that is
+    /// selected. \param cameras  file of their table. \return its name.
+    QString addProjection(const QString& cameras);
+
     /// In the user's words.
     static QString regionName(BodyRegion region);
 

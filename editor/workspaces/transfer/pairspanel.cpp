@@ -32,6 +32,7 @@ constexpr int likenessColumn = 2;
 constexpr int templateColumn = 3;
 constexpr int bodyColumn = 4;
 constexpr int fewPairs = 15;
+constexpr double unlikelyRatio = 5; ///< of the heights of two bodies
 
 } // namespace
 
@@ -142,6 +143,12 @@ QString PairsPanel::advice() const
                         "each part that turns will do: from about 15 on.")
                    : QString();
     QStringList texts;
+    const double ratio = m_transfer.preview() != nullptr ? m_transfer.preview()->sizeRatio : 1;
+    if (ratio > unlikelyRatio || ratio < 1 / unlikelyRatio)
+        texts +=
+            tr("The body is %1 times as tall as the template: its file may be in another unit, which the "
+               "properties of its take can name.")
+                .arg(QLocale().toString(ratio, 'g', 3));
     if (m_transfer.arePairsProposed())
         texts += tr("%n pair(s) were proposed. What you change makes them the project’s.", nullptr, count);
     else if (count < fewPairs)

@@ -17,6 +17,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QVBoxLayout>
 
 namespace quadrille {
@@ -117,6 +118,16 @@ void TransferWorkspace::makeActions()
                  "export",
                  {}},
                 [this] { emit exportRequested(QStringLiteral("transfers/") + m_transfer->name()); });
+    actions.add({"projection.new",
+                 group,
+                 [] { return tr("New 3D &video…"); },
+                 [] {
+                     return tr("Projects pictures of calibrated cameras onto the clip: its textures then are "
+                               "what they saw");
+                 },
+                 "camera",
+                 {}},
+                [this] { addProjection(); });
     QAction* reference =
         actions.addToggle({"transfer.reference",
                            group,
@@ -127,6 +138,14 @@ void TransferWorkspace::makeActions()
                           false, [this](bool shows) { m_transfer->setShowsReference(shows); });
     connect(m_transfer, &CurrentTransfer::showsReferenceChanged, reference,
             [this, reference] { reference->setChecked(m_transfer->showsReference()); });
+}
+
+void TransferWorkspace::addProjection()
+{
+    const QString file =
+        QFileDialog::getOpenFileName(window(), tr("Choose a table of cameras"), {}, tr("Cameras (*.json)"));
+    if (!file.isEmpty())
+        m_transfer->addProjection(file);
 }
 
 void TransferWorkspace::makePanels()

@@ -46,6 +46,7 @@ private:
     void followResult();
     void showState();
     void addSequence();
+    void addProjection();
 
     EditorContext& m_context;
     std::array<MeshSequence, 2> m_clips; ///< that are shown

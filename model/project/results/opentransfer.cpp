@@ -113,6 +113,7 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
                                   bodies.settings(), progress.part(0.6, 1));
         preview.rest =
             still(preview.target->sequence, turned(target.positions, prepared.turn(), up), up, unitsPerMetre);
+        preview.sizeRatio = prepared.sizeRatio();
         preview.posed = makeSequence(
             name, target.topology,
             std::make_shared<LiveTransfer>(std::move(prepared), bodies.settings(), unitsPerMetre),

@@ -32,6 +32,7 @@ struct TransferPreview
     std::vector<ProposedPair> pairs; ///< of the entry, else proposed ones
     /// The target performs the clip: its poses are made when they are read. Without contacts corrected.
     std::optional<MeshSequence> posed;
+    double sizeRatio = 1;         ///< of the heights of target and template
     std::optional<Error> failure; ///< why there are no pairs, or nothing is posed
 };
 
