@@ -180,6 +180,7 @@ std::vector<Eigen::Quaterniond> poseCorrections(const PosedMesh& reference, cons
         }
     }
     std::vector<Eigen::Quaterniond> corrections;
+    corrections.reserve(count);
     for (const Eigen::Matrix3d& turn : turns)
         corrections.push_back(withoutSmallTurns(Eigen::Quaterniond(turn)));
     return corrections;
