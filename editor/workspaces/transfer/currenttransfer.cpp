@@ -74,7 +74,8 @@ std::vector<ProposedPair> CurrentTransfer::pairs() const
         return shown != nullptr && shown->entry.pairs.empty() ? shown->pairs : std::vector<ProposedPair>();
     std::vector<ProposedPair> all;
     for (const TrianglePair& pair : entry()->pairs) {
-        ProposedPair& own = all.emplace_back(pair, std::numeric_limits<double>::quiet_NaN());
+        all.push_back({pair, std::numeric_limits<double>::quiet_NaN()});
+        ProposedPair& own = all.back();
         if (shown == nullptr || !shown->templatePlaces || !shown->targetPlaces ||
             pair.onTemplate.value >= shown->templatePlaces->size() ||
             pair.onTarget.value >= shown->targetPlaces->size())

@@ -11,6 +11,7 @@
 #include "editor/workspaces/view/sceneview.h"
 
 #include <QAction>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
