@@ -172,4 +172,22 @@ std::vector<VariationEntry> sampleVariations(const SampleCharacter& character)
     return {walking, jumping};
 }
 
+SequenceEntry sampleBodyAtRest(const CharacterEntry& character)
+{
+    SequenceEntry entry;
+    entry.name = character.name + " at rest";
+    entry.character = character.name;
+    entry.source = character.mesh;
+    return entry;
+}
+
+TransferEntry sampleTransfer(const std::string& bodyAtRest)
+{
+    TransferEntry entry;
+    entry.name = "walk of the other body";
+    entry.clip = "sequences/walk 1";
+    entry.target.sequence = bodyAtRest;
+    return entry;
+}
+
 } // namespace quadrille

@@ -149,8 +149,10 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
         [&] { project.sequences = writeTakes(character, folder, progress.part(0.3, 0.98)); });
     project.characters[0].notes = "The built-in sample character.";
     project.characters[1].notes =
-        "A second body at rest, for motion transfer; groundtruth/landmarks.json names the "
+        "A second body, at rest, that performs a take of the first one; groundtruth/landmarks.json names "
         "places that belong together.";
+    project.sequences.push_back(sampleBodyAtRest(project.characters[1]));
+    project.transfers = {sampleTransfer(project.sequences.back().name)};
     project.graphs.resize(1);
     project.graphs[0].character = project.characters[0].name;
     project.animations = sampleAnimations(project.characters[0].name);

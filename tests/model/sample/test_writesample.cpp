@@ -42,7 +42,7 @@ TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
     const fs::path file = writeSample(m_folder, {.textureSize = 128, .takesPerKind = 1});
     const Project project = loadProject(file);
     EXPECT_EQ(project.characters.size(), 2U);
-    EXPECT_EQ(project.sequences.size(), 13U);
+    ASSERT_EQ(project.sequences.size(), 14U);
     EXPECT_FALSE(project.exports.empty());
     EXPECT_FALSE(project.evaluations.empty());
     for (const CharacterEntry& character : project.characters) {
@@ -51,10 +51,16 @@ TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
     }
     for (const SequenceEntry& sequence : project.sequences) {
         EXPECT_TRUE(fs::exists(m_folder / sequence.source)) << sequence.source;
+        if (sequence.character != project.characters[0].name)
+            continue;
         EXPECT_TRUE(fs::exists(m_folder / sequence.jointAngles)) << sequence.jointAngles;
         EXPECT_FALSE(sequence.contacts.empty()) << sequence.name;
         EXPECT_FALSE(sequence.labels.empty()) << sequence.name;
     }
+    ASSERT_EQ(project.transfers.size(), 1U);
+    EXPECT_EQ(project.transfers[0].target.sequence, project.sequences[13].name);
+    EXPECT_EQ(project.sequences[13].character, project.characters[1].name);
+    EXPECT_EQ(project.sequences[13].source, project.characters[1].mesh);
     ASSERT_EQ(project.variations.size(), 2U);
     EXPECT_EQ(project.variations[0].name, "walking");
     EXPECT_EQ(project.variations[1].name, "jumping");
