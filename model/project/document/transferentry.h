@@ -17,7 +17,7 @@ struct TransferEntry
     std::string name;
     std::string clip;  ///< of the template: "sequences/NAME", "animations/NAME", "variations/NAME/3", …
     NamedFrame target; ///< the mesh that performs it, in its reference pose
-    /// The pose of the template that the target's is like; the most alike of its takes and the clip.
+    /// The pose of the template that the target's is like; the most alike of its takes, mesh and clip.
     std::optional<NamedFrame> reference;
     std::vector<TrianglePair> pairs;
     FieldKind field = FieldKind::Quaternions;

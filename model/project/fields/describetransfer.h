@@ -19,7 +19,7 @@ void describe(Fields& f, Type<TransferEntry>)
         {.help = "The mesh that performs it, in a frame of a sequence of its own.", .need = Need::Required});
     f.object("reference", &E::reference,
              {.help = "The frame of the template whose pose is the target's; where it is left out the most "
-                      "alike of the template's takes."});
+                      "alike of the template's takes and mesh."});
     f.field("pairs", &E::pairs);
     f.word("field", &E::field,
            words<FieldKind>({{"quaternions", FieldKind::Quaternions}, {"logarithms", FieldKind::Logarithms}}),

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/transferbodies.h"
 
+#include "model/core/bounds.h"
 #include "model/core/error.h"
+#include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/sequence/contacts.h"
+#include "model/sequence/io/registry.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,6 +33,17 @@ PosedMesh poseOf(const MeshSequence& sequence, FrameIndex frame)
                      "Write a frame from 0 to " + std::to_string(sequence.frameCount() - 1) + ".");
     const Frame pose = sequence.frame(frame);
     return {sequence.topology, {pose.positions().begin(), pose.positions().end()}};
+}
+
+/// Whether two bodies are as large as each other but for their poses: feet and metres are further apart.
+bool areOfOneUnit(const MeshSequence& a, const MeshSequence& b)
+{
+    constexpr double most = 3;
+    const auto extent = [](const MeshSequence& sequence) {
+        return boundsOf(sequence.frame(FrameIndex(0)).positions()).size().norm();
+    };
+    const double ratio = extent(a) / extent(b);
+    return ratio > 1 / most && ratio < most;
 }
 
 /// A frame of several takes, numbered one after the other, and how unlike a target it is.
@@ -63,17 +78,45 @@ MeshSequence TransferBodies::openClip(SequenceOpener& opener, const Progress& pr
 
 void TransferBodies::openTakes(SequenceOpener& opener, const Progress& progress)
 {
-    const Topology& mesh = *performed().topology;
     for (const std::string& name : templateSequences(opener.project(), m_entry)) {
         MeshSequence sequence =
             inMetres(opener.open(name, Progress(progress.token()))->sequence, m_metresPerUnit);
-        if (sequence.topology->vertexCount() == mesh.vertexCount() &&
-            sequence.topology->triangles().size() == mesh.triangles().size())
+        if (isOfMesh(sequence))
             m_takes.push_back(std::move(sequence));
         else if (m_entry.reference)
             throwInvalid("“" + name + "” is not of the mesh of “" + m_entry.clip + "”",
                          "Name a frame of a take of the same character.");
     }
+    if (!m_entry.reference)
+        openMesh(opener, progress);
+}
+
+void TransferBodies::openMesh(const SequenceOpener& opener, const Progress& progress)
+{
+    const Project& project = opener.project();
+    const std::vector<std::string> takes = templateSequences(project, m_entry);
+    const SequenceEntry* take = takes.empty() ? nullptr : findSequence(project, takes.front());
+    const CharacterEntry* character = take == nullptr ? nullptr : characterOf(project, *take);
+    if (character == nullptr || character->mesh.empty())
+        return;
+    ImportOptions options;
+    options.from = take->sourceAxes; // as a rule both lie in one space
+    options.to = project.settings.axes;
+    MeshSequence mesh = inMetres(
+        openSequences(resolvePath(character->mesh, opener.folder()), options, Progress(progress.token()))
+            .sequences.front(),
+        m_metresPerUnit);
+    if (!isOfMesh(mesh) || !areOfOneUnit(mesh, performed()))
+        return;
+    mesh.name = character->mesh;
+    m_takes.insert(m_takes.begin() + 1, std::move(mesh));
+}
+
+bool TransferBodies::isOfMesh(const MeshSequence& sequence) const
+{
+    const Topology& mesh = *performed().topology;
+    return sequence.topology->vertexCount() == mesh.vertexCount() &&
+           sequence.topology->triangles().size() == mesh.triangles().size();
 }
 
 PosedMesh TransferBodies::anyPose() const
@@ -96,16 +139,40 @@ std::vector<ProposedPair> TransferBodies::pairs(const Tell& tell, const Progress
             given.push_back({pair, std::numeric_limits<double>::quiet_NaN()});
         return given;
     }
+    std::vector<ProposedPair> proposed = anyPairs(progress.part(0, 0.5));
+    if (!m_entry.reference)
+        proposed = pairsOfAlikePoses(std::move(proposed), progress.part(0.5, 1));
+    tell(std::to_string(proposed.size()) + " pairs of triangles were proposed.");
+    return proposed;
+}
+
+std::vector<ProposedPair> TransferBodies::pairsOfAlikePoses(std::vector<ProposedPair> proposed,
+                                                            const Progress& progress) const
+{
+    std::vector<TrianglePair> pairs;
+    pairs.reserve(proposed.size());
+    for (const ProposedPair& each : proposed)
+        pairs.push_back(each.pair);
+    const PosedMesh alike = referencePose(
+        pairs, [](const std::string& /*text*/) {}, progress.part(0, 0.3));
+    try {
+        return proposePairs(alike, m_target, m_up, usualPairs, progress.part(0.3, 1));
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::TransferNoLimbsOfTemplate)
+            throw;
+        return proposed;
+    }
+}
+
+std::vector<ProposedPair> TransferBodies::anyPairs(const Progress& progress) const
+{
     // Limbs may touch the body where a take begins; then another may do.
     for (auto take = m_takes.rbegin(); take != m_takes.rend(); ++take) {
         try {
             const FrameIndex frame = m_entry.reference && take->name == m_entry.reference->sequence
                                          ? m_entry.reference->frame
                                          : FrameIndex(0);
-            std::vector<ProposedPair> proposed =
-                proposePairs(poseOf(*take, frame), m_target, m_up, usualPairs, progress);
-            tell(std::to_string(proposed.size()) + " pairs of triangles were proposed.");
-            return proposed;
+            return proposePairs(poseOf(*take, frame), m_target, m_up, usualPairs, progress);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::TransferNoLimbsOfTemplate || take + 1 == m_takes.rend())
                 throw;

@@ -30,11 +30,13 @@ public:
     const std::shared_ptr<const OpenedSequence>& targetSequence() const { return m_targetSequence; }
     const PosedMesh& target() const { return m_target; }
 
-    /// Those of the entry, whose quality is not known, or proposed ones where it has none.
+    /// Those of the entry, whose quality is not known, or proposed ones where it has none: in the entry's
+    /// reference pose, or in the one that is most like the target's by pairs that were proposed before.
     /// \throws Error as checkPairs and proposePairs.
     std::vector<ProposedPair> pairs(const Tell& tell, const Progress& progress) const;
     /// The pose of the template that the target's is most like: the entry's, or the best of all takes of the
-    /// template and the clip, in steps of some frames first where these are many.
+    /// template, of its mesh as it is in its own file, and of the clip; in steps of some frames first where
+    /// these are many.
     PosedMesh referencePose(std::span<const TrianglePair> pairs, const Tell& tell,
                             const Progress& progress) const;
     /// The reference where the entry names one; else where the clip begins.
@@ -44,12 +46,17 @@ public:
 private:
     MeshSequence openClip(SequenceOpener& opener, const Progress& progress) const;
     void openTakes(SequenceOpener& opener, const Progress& progress);
+    void openMesh(const SequenceOpener& opener, const Progress& progress);
+    bool isOfMesh(const MeshSequence& sequence) const;
+    std::vector<ProposedPair> anyPairs(const Progress& progress) const;
+    std::vector<ProposedPair> pairsOfAlikePoses(std::vector<ProposedPair> proposed,
+                                                const Progress& progress) const;
 
     TransferEntry m_entry;
     UpAxis m_up;
     double m_metresPerUnit;
     std::vector<MeshSequence>
-        m_takes; ///< the clip, and the captured ones of its mesh or that of the reference
+        m_takes; ///< the clip, the template's mesh, and the captured ones of it or that of the reference
     std::shared_ptr<const OpenedSequence> m_targetSequence;
     PosedMesh m_target;
 };

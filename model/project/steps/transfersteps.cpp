@@ -208,7 +208,7 @@ std::vector<BuildStep> makeTransferSteps(const StepMaking& making)
         BuildStep step;
         step.name = clipStepOf(work->clipName());
         step.dataPrefix = work->clipName();
-        step.version = 2;
+        step.version = 3;
         step.character = work->character();
         step.settings = work->settings();
         step.files = [work](const Progress& progress) { return work->files(progress); };

@@ -3,7 +3,10 @@
 #include "model/project/store/resultplaces.h"
 #include "tests/model/project/stripproject.h"
 
+#include <array>
+#include <cmath>
 #include <gmock/gmock.h>
+#include <sstream>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -75,6 +78,44 @@ TEST_F(TransferSteps, AreFreshUntilSomethingTheyNeedChanges)
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
     project.sequences[0].contacts = {{"left", {FrameIndex(0), FrameIndex(3)}}};
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+}
+
+TEST_F(TransferSteps, TakeTheMeshOfTheTemplateForAPoseOfIt)
+{
+    folder.write("mesh.obj", bentStrip(0.01));
+    const auto said = [&] {
+        std::string text;
+        for (const StepReport& step : run("transfers").steps) {
+            for (const Issue& issue : step.issues)
+                text += issue.context.values.front().second;
+        }
+        return text;
+    };
+    const auto heights = [&] {
+        SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
+        const Frame last = opener.openClip("transfers/slowly")->sequence.frame(FrameIndex(13));
+        return last.positions()[9].y() - last.positions()[0].y();
+    };
+    EXPECT_THAT(said(), HasSubstr("is frame 0 of “slow”"));
+    const float byTake = heights();
+    project.characters[0].mesh = "mesh.obj";
+    EXPECT_THAT(said(), HasSubstr("is frame 0 of “mesh.obj”"));
+    EXPECT_GT(std::abs(heights() - byTake), 1e-3F);
+    // The same in millimetres would spoil the scale of the way.
+    std::istringstream mesh(bentStrip(0.01));
+    std::string large;
+    for (std::string kind; mesh >> kind;) {
+        std::array<double, 3> numbers{};
+        for (double& number : numbers)
+            mesh >> number;
+        large += kind;
+        for (const double number : numbers)
+            large +=
+                kind == "v" ? " " + std::to_string(1000 * number) : " " + std::to_string(std::lround(number));
+        large += "\n";
+    }
+    folder.write("mesh.obj", large);
+    EXPECT_THAT(said(), HasSubstr("is frame 0 of “slow”"));
 }
 
 TEST_F(TransferSteps, TakeWhatTransfersMade)
