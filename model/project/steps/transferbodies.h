@@ -24,6 +24,8 @@ public:
     /// have and for a reference of another mesh; Cancelled.
     TransferBodies(SequenceOpener& opener, TransferEntry entry, const Progress& progress);
 
+    const TransferEntry& entry() const { return m_entry; }
+    UpAxis up() const { return m_up; }
     /// The clip, with contacts.
     const MeshSequence& performed() const { return m_takes.front(); }
     /// As the project has it: in its unit.
