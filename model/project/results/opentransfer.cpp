@@ -51,9 +51,24 @@ std::shared_ptr<const BodyPlaces> placesOf(const PosedMesh& mesh, UpAxis up, con
     }
 }
 
+/// By content: an edited project opens its sequences anew.
+bool isOneMesh(const PosedMesh& a, const PosedMesh& b)
+{
+    return a.topology == b.topology || (a.positions.size() == b.positions.size() &&
+                                        std::ranges::equal(a.topology->triangles(), b.topology->triangles()));
+}
+
 bool haveOneTarget(const TransferPreview& a, const TransferPreview& b)
 {
-    return a.target == b.target && a.entry.target == b.entry.target;
+    return a.up == b.up && a.targetPose.positions == b.targetPose.positions &&
+           isOneMesh(a.targetPose, b.targetPose);
+}
+
+/// Whether limbs were found on the same template, or would not be found again.
+bool haveOneTemplate(const TransferPreview& a, const TransferPreview& b)
+{
+    return a.up == b.up && isOneMesh(a.templatePose, b.templatePose) &&
+           (a.templatePlaces || a.templatePose.positions == b.templatePose.positions);
 }
 
 std::vector<TrianglePair> pairsOf(const std::vector<ProposedPair>& proposed)
@@ -93,11 +108,14 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
     const PosedMesh& target = bodies.target();
     preview.target = bodies.targetSequence();
     preview.performed = opener.openClip(preview.entry.clip, Progress(progress.token()))->sequence;
+    PosedMesh reference = bodies.anyPose();
+    preview.targetPose = target;
+    preview.templatePose = reference;
+    preview.up = up;
     const bool hasTarget = before != nullptr && haveOneTarget(*before, preview);
-    const bool hasTemplate = before != nullptr && before->performed.topology == preview.performed.topology;
+    const bool hasTemplate = before != nullptr && haveOneTemplate(*before, preview);
     preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
     preview.rest = still(preview.target->sequence, target.positions, up, unitsPerMetre);
-    PosedMesh reference = bodies.anyPose();
     preview.templatePlaces =
         hasTemplate ? before->templatePlaces : placesOf(reference, up, progress.part(0.3, 0.4));
     try {

@@ -23,8 +23,9 @@ struct TransferPreview
 {
     TransferEntry entry; ///< as it was then
     std::shared_ptr<const OpenedSequence> target;
-    std::shared_ptr<const TransferTarget> solid;      ///< of the target; null where it is no mesh to solve on
-    std::shared_ptr<const BodyPlaces> templatePlaces; ///< null where no limbs were found, so for the next
+    std::shared_ptr<const TransferTarget> solid; ///< of the target; null where it is no mesh to solve on
+    /// Null where no limbs were found, so for the next. In another pose of the template it is not made again.
+    std::shared_ptr<const BodyPlaces> templatePlaces;
     std::shared_ptr<const BodyPlaces> targetPlaces;
     MeshSequence performed;          ///< the clip
     MeshSequence reference;          ///< one frame: the pose of the template that the target's is like
@@ -34,6 +35,11 @@ struct TransferPreview
     std::optional<MeshSequence> posed;
     double sizeRatio = 1;         ///< of the heights of target and template
     std::optional<Error> failure; ///< why there are no pairs, or nothing is posed
+
+    // What solid and places were made of.
+    PosedMesh targetPose;   ///< metres
+    PosedMesh templatePose; ///< metres; the entry's reference, else where the clip begins
+    UpAxis up = UpAxis::Y;
 };
 
 using TransferPreviewPointer = std::shared_ptr<const TransferPreview>;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/project/store/resultplaces.h"
-#include "tests/model/project/stripproject.h"
+#include "tests/model/project/transferproject.h"
 
 #include <array>
 #include <cmath>
@@ -16,35 +16,8 @@ using ::testing::IsEmpty;
 
 namespace {
 
-/// The strips, and another one that takes over what they do.
-class TransferSteps : public StripProject
+class TransferSteps : public TransferProject
 {
-protected:
-    TransferSteps()
-    {
-        folder.write("scan.obj", bentStrip(0.01, 2));
-        project.characters = {characterOf("strip", ""), characterOf("scan", "")};
-        project.sequences.push_back(sequenceOf("scan", "scan.obj"));
-        project.sequences.back().character = "scan";
-        TransferEntry entry;
-        entry.name = "slowly";
-        entry.clip = "sequences/slow";
-        entry.target = {"scan", FrameIndex(0)};
-        for (std::uint32_t t = 0; t < 8; ++t)
-            entry.pairs.push_back({TriangleIndex(t), TriangleIndex(t)});
-        entry.correctsContacts = false; // a strip has no feet
-        project.transfers = {entry};
-    }
-
-    TransferEntry& transfer() { return project.transfers.front(); }
-    std::string failure()
-    {
-        for (const StepReport& step : run("transfers").steps) {
-            if (step.error)
-                return step.error->what();
-        }
-        return "";
-    }
 };
 
 } // namespace
@@ -52,9 +25,9 @@ protected:
 TEST_F(TransferSteps, MakeAClipOfTheTarget)
 {
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
-    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
-    const auto made = opener.openClip("transfers/slowly");
-    const auto slow = opener.open("slow");
+    SequenceOpener opened = opener();
+    const auto made = opened.openClip("transfers/slowly");
+    const auto slow = opened.open("slow");
     ASSERT_EQ(made->sequence.frameCount(), 14);
     // All triangles are paired, and they only turn; at rest the scan is bent a little.
     for (FrameIndex f(0); f.value < 14; ++f) {
@@ -129,8 +102,7 @@ TEST_F(TransferSteps, TakeWhatTransfersMade)
     shown.character = "strip";
     project.sequences.push_back(shown);
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip", "transfers/back/clip"));
-    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
-    EXPECT_EQ(opener.open("shown")->sequence.frameCount(), 14);
+    EXPECT_EQ(opener().open("shown")->sequence.frameCount(), 14);
 }
 
 TEST_F(TransferSteps, CarryLabelsAndContactsOfTheClip)
@@ -138,8 +110,7 @@ TEST_F(TransferSteps, CarryLabelsAndContactsOfTheClip)
     project.sequences[0].contacts = {{"left", {FrameIndex(2), FrameIndex(5)}}};
     project.sequences[0].labels = {{"bend", {FrameIndex(0), FrameIndex(9)}}};
     run("transfers");
-    SequenceOpener opener(project, folder.path(), cacheFolder(folder / "p.quadrille"));
-    const auto made = opener.openClip("transfers/slowly");
+    const auto made = opener().openClip("transfers/slowly");
     EXPECT_EQ(made->sequence.contacts, project.sequences[0].contacts);
     EXPECT_EQ(made->sequence.labels, project.sequences[0].labels);
 }
