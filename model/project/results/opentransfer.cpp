@@ -10,6 +10,7 @@
 #include "model/transfer/livetransfer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quadrille {
 
@@ -86,7 +87,7 @@ void rate(TransferPreview& preview)
     if (!preview.templatePlaces || !preview.targetPlaces)
         return;
     for (ProposedPair& each : preview.pairs) {
-        if (preview.templatePlaces->knows(each.pair.onTemplate) &&
+        if (std::isnan(each.quality) && preview.templatePlaces->knows(each.pair.onTemplate) &&
             preview.targetPlaces->knows(each.pair.onTarget))
             each.quality = BodyPlaces::likeness(*preview.templatePlaces, each.pair.onTemplate,
                                                 *preview.targetPlaces, each.pair.onTarget);
@@ -110,21 +111,16 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
     preview.performed = opener.openClip(preview.entry.clip, Progress(progress.token()))->sequence;
     PosedMesh reference = bodies.anyPose();
     preview.targetPose = target;
-    preview.templatePose = reference;
     preview.up = up;
     const bool hasTarget = before != nullptr && haveOneTarget(*before, preview);
-    const bool hasTemplate = before != nullptr && haveOneTemplate(*before, preview);
     preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
     preview.rest = still(preview.target->sequence, target.positions, up, unitsPerMetre);
-    preview.templatePlaces =
-        hasTemplate ? before->templatePlaces : placesOf(reference, up, progress.part(0.3, 0.4));
     try {
         const auto ignore = [](const std::string& /*text*/) {};
         preview.solid = hasTarget && before->solid
                             ? before->solid
                             : std::make_shared<const TransferTarget>(*target.topology, target.positions);
-        preview.pairs = bodies.pairs(ignore, progress.part(0.4, 0.5));
-        rate(preview);
+        preview.pairs = bodies.pairs(ignore, progress.part(0.3, 0.5));
         const std::vector<TrianglePair> pairs = pairsOf(preview.pairs);
         reference = bodies.referencePose(pairs, ignore, progress.part(0.5, 0.6));
         PreparedTransfer prepared(bodies.performed(), reference, target, preview.solid, pairs,
@@ -142,6 +138,12 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
             throw;
         preview.failure = error;
     }
+    // In the pose that is most like the target's places are told best.
+    preview.templatePose = reference;
+    preview.templatePlaces = before != nullptr && haveOneTemplate(*before, preview)
+                                 ? before->templatePlaces
+                                 : placesOf(reference, up, Progress(progress.token()));
+    rate(preview);
     preview.reference = still(preview.performed, std::move(reference.positions), up, unitsPerMetre);
     progress.report(1);
     return made;

@@ -38,7 +38,7 @@ struct TransferPreview
 
     // What solid and places were made of.
     PosedMesh targetPose;   ///< metres
-    PosedMesh templatePose; ///< metres; the entry's reference, else where the clip begins
+    PosedMesh templatePose; ///< metres; that of `reference`
     UpAxis up = UpAxis::Y;
 };
 

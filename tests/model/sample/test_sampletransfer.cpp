@@ -4,6 +4,7 @@
 #include "model/geometry/procrustes.h"
 #include "model/project/file/projectfile.h"
 #include "model/project/media/opensequence.h"
+#include "model/project/results/opentransfer.h"
 #include "model/project/results/projectdata.h"
 #include "model/project/results/rebuild.h"
 #include "model/project/store/dataitem.h"
@@ -155,6 +156,19 @@ TEST_F(SampleTransfer, turnsPlacesAsTheCharacterTurnsThem)
         EXPECT_LT(sum / count, 6);
         RecordProperty(entry.name, std::to_string(sum / count));
     }
+}
+
+TEST_F(SampleTransfer, keepsTheLikenessOfProposedPairsOnceTheyAreTheProjects)
+{
+    const ProjectResults results({m_project, m_file});
+    const TransferPreviewPointer preview = previewTransfer(results, m_project.transfers[0].name, nullptr);
+    ASSERT_TRUE(preview->posed);
+    ASSERT_TRUE(preview->templatePlaces && preview->targetPlaces);
+    EXPECT_GT(preview->pairs.size(), 100U);
+    for (const ProposedPair& each : preview->pairs)
+        EXPECT_NEAR(BodyPlaces::likeness(*preview->templatePlaces, each.pair.onTemplate,
+                                         *preview->targetPlaces, each.pair.onTarget),
+                    each.quality, 1e-6);
 }
 
 } // namespace
