@@ -255,8 +255,8 @@ private slots:
         QVERIFY(strip->text().contains("Save"));
         QVERIFY(action->shortcut().isEmpty());
         keys->setFocus();
-        QTest::keyClick(keys, Qt::Key_F10);
-        QTRY_COMPARE(action->shortcut(), QKeySequence(Qt::Key_F10));
+        QTest::keyClick(keys, Qt::Key_F13);
+        QTRY_COMPARE(action->shortcut(), QKeySequence(Qt::Key_F13));
         QTest::mouseClick(test::find<QPushButton>("shortcutReset"), Qt::LeftButton);
         QVERIFY(action->shortcut().isEmpty());
     }
