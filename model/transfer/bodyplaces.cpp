@@ -32,12 +32,20 @@ constexpr std::array<std::size_t, 8> mirroredWays{1, 0, 3, 2, 5, 4, 6, 7};
 /// Those of them that then lead the other way: their share is one less what it was.
 constexpr std::size_t firstWayAcross = 6;
 
-/// How far parts reach from the landmark that they end in, shares of the ways from feet to head.
-constexpr float headReach = 0.16F;
-constexpr float lowerArmReach = 0.26F;
-constexpr float armReach = 0.42F;
-constexpr float shinReach = 0.28F;
-constexpr float legReach = 0.47F;
+/// What lies about a landmark, from its end to the trunk.
+struct Reach
+{
+    BodyRegion end;
+    float endReach; ///< shares of the ways from feet to head; so for the next
+    BodyRegion upper;
+    float upperReach;
+};
+constexpr std::array<Reach, landmarks> reaches{
+    {{BodyRegion::LeftLowerArm, 0.26F, BodyRegion::LeftUpperArm, 0.42F},
+     {BodyRegion::RightLowerArm, 0.26F, BodyRegion::RightUpperArm, 0.42F},
+     {BodyRegion::LeftShin, 0.28F, BodyRegion::LeftThigh, 0.47F},
+     {BodyRegion::RightShin, 0.28F, BodyRegion::RightThigh, 0.47F},
+     {BodyRegion::Head, 0.16F, BodyRegion::Trunk, 0.16F}}};
 
 /// The landmarks of a body: the distances of all vertices from each.
 struct Landmarks
@@ -91,26 +99,8 @@ BodyRegion regionAt(const std::array<float, landmarks>& distances, float height)
 {
     const auto nearest = std::ranges::min_element(distances);
     const float share = *nearest / height;
-    switch (nearest - distances.begin()) {
-    case 0:
-        return share < lowerArmReach ? BodyRegion::LeftLowerArm
-               : share < armReach    ? BodyRegion::LeftUpperArm
-                                     : BodyRegion::Trunk;
-    case 1:
-        return share < lowerArmReach ? BodyRegion::RightLowerArm
-               : share < armReach    ? BodyRegion::RightUpperArm
-                                     : BodyRegion::Trunk;
-    case 2:
-        return share < shinReach  ? BodyRegion::LeftShin
-               : share < legReach ? BodyRegion::LeftThigh
-                                  : BodyRegion::Trunk;
-    case 3:
-        return share < shinReach  ? BodyRegion::RightShin
-               : share < legReach ? BodyRegion::RightThigh
-                                  : BodyRegion::Trunk;
-    default:
-        return share < headReach ? BodyRegion::Head : BodyRegion::Trunk;
-    }
+    const Reach& reach = reaches[static_cast<std::size_t>(nearest - distances.begin())];
+    return share < reach.endReach ? reach.end : share < reach.upperReach ? reach.upper : BodyRegion::Trunk;
 }
 
 } // namespace
