@@ -8500,6 +8500,10 @@
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
     </message>
+    <message>
+        <source>Mirroring pairs</source>
+        <translation>Reflet des paires</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::PairsPanel</name>

@@ -199,6 +199,22 @@ std::optional<TrianglePair> mirroredPair(const TrianglePair& pair, const BodyPla
     return TrianglePair{*first, *second};
 }
 
+std::vector<TrianglePair> withMirroredPairs(std::vector<TrianglePair> pairs, const BodyPlaces& onTemplate,
+                                            const BodyPlaces& onTarget, const Progress& progress)
+{
+    const std::size_t count = pairs.size();
+    for (std::size_t p = 0; p < count; ++p) {
+        progress.report(static_cast<double>(p) / static_cast<double>(count));
+        const auto mirrored = mirroredPair(pairs[p], onTemplate, onTarget);
+        const auto hasOne = [&](const TrianglePair& other) {
+            return other.onTarget == mirrored->onTarget || other.onTemplate == mirrored->onTemplate;
+        };
+        if (mirrored && std::ranges::none_of(pairs, hasOne))
+            pairs.push_back(*mirrored);
+    }
+    return pairs;
+}
+
 std::vector<BodyRegion> regionsWithoutPairs(std::span<const TrianglePair> pairs, const BodyPlaces& onTemplate)
 {
     std::array<bool, bodyRegions> held{};

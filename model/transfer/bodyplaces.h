@@ -75,6 +75,11 @@ private:
 std::optional<TrianglePair> mirroredPair(const TrianglePair& pair, const BodyPlaces& onTemplate,
                                          const BodyPlaces& onTarget);
 
+/// Some pairs, and behind them those of the other side whose triangles have none. Cost: O(pairs · triangles).
+/// \throws Error Cancelled.
+std::vector<TrianglePair> withMirroredPairs(std::vector<TrianglePair> pairs, const BodyPlaces& onTemplate,
+                                            const BodyPlaces& onTarget, const Progress& progress = {});
+
 /// Parts of a template that no pair holds: how they turn is guessed from their neighbours.
 std::vector<BodyRegion> regionsWithoutPairs(std::span<const TrianglePair> pairs,
                                             const BodyPlaces& onTemplate);

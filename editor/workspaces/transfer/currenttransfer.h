@@ -41,6 +41,8 @@ public:
     /// Those of the entry, else what was proposed for it. Their quality is not a number where no limbs are
     /// found.
     std::vector<ProposedPair> pairs() const;
+    /// The same, without their quality.
+    std::vector<TrianglePair> plainPairs() const;
     bool arePairsProposed() const { return entry() != nullptr && entry()->pairs.empty(); }
     /// Where a pair is on the template; nothing where that is not known.
     std::optional<BodyRegion> regionOf(const TrianglePair& pair) const;
@@ -89,7 +91,6 @@ signals:
     void showsReferenceChanged();
 
 private:
-    std::vector<TrianglePair> plainPairs() const;
     bool hasTarget(const std::vector<TrianglePair>& pairs, TriangleIndex triangle) const;
 
     EditorContext& m_context;

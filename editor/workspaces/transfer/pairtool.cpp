@@ -113,29 +113,27 @@ void PairTool::propose()
     m_transfer.setPairs(tr("Propose pairs"), {});
 }
 
+/// In a job: of a large scan each pair takes some milliseconds.
 void PairTool::mirrorAll()
 {
     const TransferPreviewPointer preview = m_transfer.preview();
     if (preview == nullptr || !preview->templatePlaces || !preview->targetPlaces)
         return;
-    std::vector<TrianglePair> all;
-    for (const ProposedPair& each : m_transfer.pairs())
-        all.push_back(each.pair);
-    const std::size_t before = all.size();
-    const auto isNew = [&](const TrianglePair& pair) {
-        return std::ranges::none_of(all, [&](const TrianglePair& other) {
-            return other.onTarget == pair.onTarget || other.onTemplate == pair.onTemplate;
+    const std::vector<TrianglePair> pairs = m_transfer.plainPairs();
+    m_transfer.context().jobs.start(
+        {.name = tr("Mirroring pairs"),
+         .receiver = this,
+         .stillStands = [this, pairs] { return m_transfer.plainPairs() == pairs; },
+         .background = true},
+        [pairs, preview](const Progress& progress) {
+            return withMirroredPairs(pairs, *preview->templatePlaces, *preview->targetPlaces, progress);
+        },
+        [this, before = pairs.size()](std::vector<TrianglePair> all) {
+            const auto added = static_cast<int>(all.size() - before);
+            if (added > 0)
+                m_transfer.setPairs(tr("Mirror all pairs"), std::move(all));
+            tell(tr("%n pair(s) were added.", nullptr, added));
         });
-    };
-    for (std::size_t p = 0; p < before; ++p) {
-        const auto mirrored = mirroredPair(all[p], *preview->templatePlaces, *preview->targetPlaces);
-        if (mirrored && isNew(*mirrored))
-            all.push_back(*mirrored);
-    }
-    const auto added = static_cast<int>(all.size() - before);
-    if (added > 0)
-        m_transfer.setPairs(tr("Mirror all pairs"), std::move(all));
-    tell(tr("%n pair(s) were added.", nullptr, added));
 }
 
 void PairTool::addCounterpart()

@@ -171,6 +171,27 @@ TEST_F(PairProposal, PairsAreMirrored)
     EXPECT_GT(arms, 0);
 }
 
+TEST_F(PairProposal, AllPairsAreMirroredOnce)
+{
+    const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    const BodyPlaces onto(m_heavy, UpAxis::Y, ErrorCode::TransferNoLimbsOfTarget);
+    std::vector<TrianglePair> pairs;
+    for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y, 40)) {
+        if (middleOf(m_average, proposed.pair.onTemplate).x() > 0.1)
+            pairs.push_back(proposed.pair);
+    }
+    ASSERT_GT(pairs.size(), 5U);
+    const std::vector<TrianglePair> all = withMirroredPairs(pairs, from, onto);
+    EXPECT_GT(all.size(), pairs.size());
+    EXPECT_LE(all.size(), 2 * pairs.size());
+    EXPECT_TRUE(std::ranges::equal(pairs, std::span(all).first(pairs.size())));
+    std::set<TriangleIndex> onTarget;
+    for (std::size_t p = 0; p < all.size(); ++p) {
+        EXPECT_TRUE(onTarget.insert(all[p].onTarget).second);
+        EXPECT_EQ(middleOf(m_average, all[p].onTemplate).x() > 0, p < pairs.size());
+    }
+}
+
 TEST_F(PairProposal, PartsWithoutPairsAreTold)
 {
     const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
