@@ -124,6 +124,14 @@
         <source>Feet that stand in the clip stand still in the result as well</source>
         <translation>Les pieds posés dans le clip restent immobiles dans le résultat aussi</translation>
     </message>
+    <message>
+        <source>Truth</source>
+        <translation>Vérité</translation>
+    </message>
+    <message>
+        <source>A take of the body that shows what the result ought to be, for the evaluation of transfers; the result does not depend on it</source>
+        <translation>Une prise du corps qui montre ce que le résultat devrait être, pour l’évaluation des transferts ; le résultat n’en dépend pas</translation>
+    </message>
 </context>
 <context>
     <name>Evaluation</name>
@@ -456,6 +464,42 @@
     <message>
         <source>Textures of the poses of a take that was left out: of the nearest frame of the others, their mean, and learned from poses</source>
         <translation>Textures des poses d’une prise laissée de côté : de l’image la plus proche des autres, leur moyenne, et apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Transfers and their truth</source>
+        <translation>Transferts et leur vérité</translation>
+    </message>
+    <message>
+        <source>How far transfers are from what they ought to be, where that is known: with quaternions and logarithms, with and without correction of the pose</source>
+        <translation>De combien les transferts s’écartent de ce qu’ils devraient être, là où on le sait : avec quaternions et logarithmes, avec et sans correction de la pose</translation>
+    </message>
+    <message>
+        <source>Mean distance of a vertex from the truth, share of the height</source>
+        <translation>Distance moyenne d’un sommet à la vérité, part de la hauteur</translation>
+    </message>
+    <message>
+        <source>Mean distance of a vertex from the truth</source>
+        <translation>Distance moyenne d’un sommet à la vérité</translation>
+    </message>
+    <message>
+        <source>Greatest distance of a vertex from the truth</source>
+        <translation>Plus grande distance d’un sommet à la vérité</translation>
+    </message>
+    <message>
+        <source>Mean distance of a vertex, frame by frame</source>
+        <translation>Distance moyenne d’un sommet, image par image</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Volume, share of that at rest</source>
+        <translation>Volume, part de celui au repos</translation>
+    </message>
+    <message>
+        <source>Angle that paired triangles miss</source>
+        <translation>Angle que manquent les triangles appariés</translation>
     </message>
 </context>
 <context>
@@ -1443,6 +1487,70 @@
     <message>
         <source>squared error, learned</source>
         <translation>erreur quadratique, apprise</translation>
+    </message>
+    <message>
+        <source>transfer</source>
+        <translation>transfert</translation>
+    </message>
+    <message>
+        <source>quaternions</source>
+        <translation>quaternions</translation>
+    </message>
+    <message>
+        <source>logarithms</source>
+        <translation>logarithmes</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>pose</translation>
+    </message>
+    <message>
+        <source>pose corrected</source>
+        <translation>pose corrigée</translation>
+    </message>
+    <message>
+        <source>pose as it is</source>
+        <translation>pose telle quelle</translation>
+    </message>
+    <message>
+        <source>mean error, share of the height</source>
+        <translation>erreur moyenne, part de la hauteur</translation>
+    </message>
+    <message>
+        <source>worst error, share of the height</source>
+        <translation>pire erreur, part de la hauteur</translation>
+    </message>
+    <message>
+        <source>mean error as placed, share of the height</source>
+        <translation>erreur moyenne en place, part de la hauteur</translation>
+    </message>
+    <message>
+        <source>worst error as placed, share of the height</source>
+        <translation>pire erreur en place, part de la hauteur</translation>
+    </message>
+    <message>
+        <source>worst error</source>
+        <translation>pire erreur</translation>
+    </message>
+    <message>
+        <source>mean error as placed</source>
+        <translation>erreur moyenne en place</translation>
+    </message>
+    <message>
+        <source>worst error as placed</source>
+        <translation>pire erreur en place</translation>
+    </message>
+    <message>
+        <source>volume of the truth</source>
+        <translation>volume de la vérité</translation>
+    </message>
+    <message>
+        <source>angle that pairs miss</source>
+        <translation>angle que manquent les paires</translation>
+    </message>
+    <message>
+        <source>foot slide of the truth</source>
+        <translation>glissement des pieds de la vérité</translation>
     </message>
 </context>
 <context>
@@ -3120,6 +3228,14 @@
     <message>
         <source>No two arms and two legs were found on the target, by which pairs of triangles could be proposed.</source>
         <translation>Deux bras et deux jambes n’ont pas été trouvés sur la cible, d’après lesquels des paires de triangles pourraient être proposées.</translation>
+    </message>
+    <message>
+        <source>Name a clip of the target&apos;s own mesh as “truth”.</source>
+        <translation>Nommez comme « truth » un clip du propre maillage de la cible.</translation>
+    </message>
+    <message>
+        <source>Name a clip that shows the same frame by frame as “truth”.</source>
+        <translation>Nommez comme « truth » un clip qui montre la même chose image par image.</translation>
     </message>
 </context>
 <context>
@@ -5043,6 +5159,10 @@
     <message>
         <source>The project has no model of appearance.</source>
         <translation>Le projet n’a pas de modèle d’apparence.</translation>
+    </message>
+    <message>
+        <source>No transfer names a clip that shows what it ought to be.</source>
+        <translation>Aucun transfert ne nomme un clip qui montre ce qu’il devrait être.</translation>
     </message>
 </context>
 <context>
@@ -12576,6 +12696,10 @@ maximal %2</translation>
     <message>
         <source>The most alike</source>
         <translation>La plus semblable</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Inconnue</translation>
     </message>
 </context>
 <context>

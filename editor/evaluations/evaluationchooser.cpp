@@ -158,6 +158,9 @@ QString EvaluationChooser::hindrance(const QString& table) const
         return tr("The project has no variations.");
     if (needsAppearance(table.toStdString()) && project.appearances.empty())
         return tr("The project has no model of appearance.");
+    const auto isUnknown = [](const TransferEntry& transfer) { return transfer.truth.empty(); };
+    if (needsTruth(table.toStdString()) && std::ranges::all_of(project.transfers, isUnknown))
+        return tr("No transfer names a clip that shows what it ought to be.");
     return {};
 }
 

@@ -65,8 +65,26 @@ std::vector<FieldItem<std::optional<NamedFrame>>> referenceItems(const Project& 
     return items;
 }
 
+std::vector<FieldItem<std::string>> truthItems(const Project& project, const TransferEntry& transfer)
+{
+    std::vector<FieldItem<std::string>> items;
+    items.push_back({TransferTexts::tr("Not known"), {}});
+    const std::string character = characterOfClip(project, "sequences/" + transfer.target.sequence);
+    for (const SequenceEntry& each : project.sequences) {
+        const std::string clip = "sequences/" + each.name;
+        if (characterOfClip(project, clip) == character && clip != transfer.clip)
+            items.push_back({QString::fromStdString(each.name), clip});
+    }
+    const auto isOwn = [&](const auto& item) { return item.value == transfer.truth; };
+    if (std::ranges::none_of(items, isOwn))
+        items.push_back({nameOfClip(QString::fromStdString(transfer.truth)), transfer.truth});
+    return items;
+}
+
 void setClip(TransferEntry& transfer, const std::string& clip, const Project& project)
 {
+    if (clip != transfer.clip)
+        transfer.truth.clear();
     if (characterOfClip(project, clip) != characterOfClip(project, transfer.clip)) {
         transfer.pairs.clear();
         transfer.reference.reset();
@@ -77,8 +95,10 @@ void setClip(TransferEntry& transfer, const std::string& clip, const Project& pr
 void setTarget(TransferEntry& transfer, const std::string& sequence, const Project& project)
 {
     if (characterOfClip(project, "sequences/" + sequence) !=
-        characterOfClip(project, "sequences/" + transfer.target.sequence))
+        characterOfClip(project, "sequences/" + transfer.target.sequence)) {
         transfer.pairs.clear();
+        transfer.truth.clear();
+    }
     transfer.target = {sequence, FrameIndex(0)};
 }
 

@@ -27,6 +27,7 @@ struct TransferNames
     const char* scale;
     const char* poses;
     const char* contacts;
+    const char* truth;
 };
 
 /// What can be performed: takes, animations and other transfers of a project.
@@ -36,7 +37,10 @@ std::vector<FieldItem<std::string>> targetItems(const Project& project);
 /// The template's poses that can be named: where its takes begin, and the one that is.
 std::vector<FieldItem<std::optional<NamedFrame>>> referenceItems(const Project& project,
                                                                  const TransferEntry& transfer);
-/// Pairs of triangles mean nothing on other meshes: these are lost with the character.
+/// What it ought to be: takes of the body that performs it.
+std::vector<FieldItem<std::string>> truthItems(const Project& project, const TransferEntry& transfer);
+/// Pairs of triangles mean nothing on other meshes: these are lost with the character; so is what another
+/// clip or body ought to show.
 void setClip(TransferEntry& transfer, const std::string& clip, const Project& project);
 void setTarget(TransferEntry& transfer, const std::string& sequence, const Project& project);
 
@@ -102,6 +106,13 @@ void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferN
     fields.addSwitch({names.contacts, [] { return T::tr("Correct contacts"); },
                       [] { return T::tr("Feet that stand in the clip stand still in the result as well"); }},
                      &TransferEntry::correctsContacts);
+    fields.addItems({names.truth, [] { return T::tr("Truth"); },
+                     [] {
+                         return T::tr("A take of the body that shows what the result ought to be, for the "
+                                      "evaluation of transfers; the result does not depend on it");
+                     }},
+                    &TransferEntry::truth,
+                    [project](const TransferEntry& entry) { return truthItems(project(), entry); });
 }
 
 } // namespace quadrille

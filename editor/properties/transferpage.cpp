@@ -18,7 +18,8 @@ constexpr TransferNames pageNames{.clip = "transferClip",
                                   .field = "transferField",
                                   .scale = "transferScale",
                                   .poses = "transferPoses",
-                                  .contacts = "transferContacts"};
+                                  .contacts = "transferContacts",
+                                  .truth = "transferTruth"};
 
 } // namespace
 

@@ -278,11 +278,17 @@ private slots:
         QCOMPARE(entry().field, FieldKind::Logarithms);
         context().selection.select({Section::Transfers, "stone dances"});
         QCOMPARE(find<QComboBox>("transferField")->currentIndex(), 1);
+        auto* truth = find<QComboBox>("transferPanelTruth");
+        QCOMPARE(truth->count(), 2); // none, and the only take of the body
+        truth->setCurrentIndex(truth->findText("stone"));
+        QCOMPARE(entry().truth, std::string("sequences/stone"));
+        QCOMPARE(find<QComboBox>("transferTruth")->currentText(), QStringLiteral("stone"));
         // Another body: its triangles are others.
         auto* target = find<QComboBox>("transferBarTarget");
         target->setCurrentIndex(target->findText("dance"));
         QCOMPARE(entry().target.sequence, std::string("dance"));
         QVERIFY(entry().pairs.empty());
+        QVERIFY(entry().truth.empty());
     }
 
     void theClipBecomesATake()

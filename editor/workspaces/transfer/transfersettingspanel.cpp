@@ -40,7 +40,8 @@ TransferSettingsPanel::TransferSettingsPanel(CurrentTransfer& transfer, QWidget*
                          .field = "transferPanelField",
                          .scale = "transferPanelScale",
                          .poses = "transferPanelPoses",
-                         .contacts = "transferPanelContacts"},
+                         .contacts = "transferPanelContacts",
+                         .truth = "transferPanelTruth"},
                         [&context]() -> const Project& { return context.document.project(); });
     QToolButton* button = makeActionButton(take);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -75,22 +75,24 @@ private:
 
     void checkSource(const SequenceEntry& sequence, const std::string& pointer)
     {
-        const auto clip = clipOfSource(sequence.source);
-        if (clip && variationOfClip(*clip).value_or(VariationNumber{{}, 1}).number == 0)
-            invalid(pointer + "/source", quoted(*clip) + " names all variations",
-                    "Name one of them, as in “" + *clip + "/1”.");
-        else if (clip)
-            checkClip(*clip, pointer + "/source");
+        if (const auto clip = clipOfSource(sequence.source))
+            checkOne(*clip, pointer + "/source");
     }
 
-    /// The clip that another one is made of.
-    void checkShown(const std::string& clip, const std::string& made, const std::string& pointer)
+    /// A clip that is one alone.
+    void checkOne(const std::string& clip, const std::string& pointer)
     {
         if (const auto varied = variationOfClip(clip); varied && varied->number == 0)
             invalid(pointer, quoted(clip) + " names all variations",
                     "Name one of them, as in “" + clip + "/1”.");
         else
             checkClip(clip, pointer);
+    }
+
+    /// The clip that another one is made of.
+    void checkShown(const std::string& clip, const std::string& made, const std::string& pointer)
+    {
+        checkOne(clip, pointer);
         if (isMadeOfItself(m_project, made))
             invalid(pointer, quoted(made.substr(made.find('/') + 1)) + " is made of itself",
                     "Break the circle.");
@@ -99,6 +101,8 @@ private:
     void checkTransfer(const TransferEntry& transfer, const std::string& pointer)
     {
         checkShown(transfer.clip, "transfers/" + transfer.name, pointer + "/clip");
+        if (!transfer.truth.empty())
+            checkOne(transfer.truth, pointer + "/truth");
         std::set<TriangleIndex> seen;
         for (std::size_t i = 0; i < transfer.pairs.size(); ++i) {
             if (!seen.insert(transfer.pairs[i].onTarget).second)

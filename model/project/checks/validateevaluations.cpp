@@ -60,6 +60,11 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
         problems.push_back(
             warningAt(pointer, "The project has no model of appearance to evaluate",
                       "Add one under “appearance”, or leave out " + quoted(evaluation.table) + "."));
+    const auto isUnknown = [](const TransferEntry& transfer) { return transfer.truth.empty(); };
+    if (needsTruth(evaluation.table) && std::ranges::all_of(project.transfers, isUnknown))
+        problems.push_back(warningAt(pointer, "No transfer of the project says what it ought to be",
+                                     "Name a clip as “truth” of a transfer, or leave out " +
+                                         quoted(evaluation.table) + "."));
     for (std::size_t i = 0; i < evaluation.sequences.size(); ++i) {
         if (!contains(known, evaluation.sequences[i]))
             invalid("/sequences/" + std::to_string(i),

@@ -116,8 +116,10 @@ Project partsOfClip(const Project& project, const std::string& clip)
             parts.variations.push_back(variation);
     }
     for (const TransferEntry& transfer : project.transfers) {
-        if (clips.contains("transfers/" + transfer.name))
+        if (clips.contains("transfers/" + transfer.name)) {
             parts.transfers.push_back(transfer);
+            parts.transfers.back().truth.clear();
+        }
     }
     for (const ProjectionEntry& projection : project.projections) {
         if (clips.contains("projections/" + projection.name))

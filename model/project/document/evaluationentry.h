@@ -36,7 +36,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 21> evaluationTables{
+inline constexpr std::array<std::string_view, 22> evaluationTables{
     "fig4",       ///< interpolation of poses: how edges and volume are kept
     "fig7",       ///< kinds of transitions
     "fig9",       ///< Essential graph and motion graph
@@ -58,6 +58,7 @@ inline constexpr std::array<std::string_view, 21> evaluationTables{
     "appearance-interpolation", ///< not of the paper: textures between two against captured ones
     "appearance-shape",         ///< not of the paper: textures learned from poses, a take left out
     "appearance-rates",         ///< not of the paper: bytes of textures and what they lose
+    "transfer-error",           ///< not of the paper: transfers against what they ought to be
 };
 
 /// Whether a table is of a model of appearance.
@@ -65,6 +66,12 @@ inline bool needsAppearance(std::string_view table)
 {
     return table.starts_with("appearance-") || table == "fig17" || table == "fig18" || table == "fig19" ||
            table == "fig20" || table == "fig22";
+}
+
+/// Whether a table is of transfers that name a truth.
+inline bool needsTruth(std::string_view table)
+{
+    return table == "transfer-error";
 }
 
 /// Whether a table is of variations.

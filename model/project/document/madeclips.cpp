@@ -127,6 +127,16 @@ std::vector<std::string> templateSequences(const Project& project, const Transfe
     return names;
 }
 
+std::vector<const TransferEntry*> transfersWithTruth(const Project& project, const std::string& character)
+{
+    std::vector<const TransferEntry*> known;
+    for (const TransferEntry& entry : project.transfers) {
+        if (!entry.truth.empty() && characterOfClip(project, "transfers/" + entry.name) == character)
+            known.push_back(&entry);
+    }
+    return known;
+}
+
 int variationCount(const VariationEntry& entry)
 {
     int count = 0;

@@ -33,6 +33,8 @@ std::string clipBelow(const Project& project, const std::string& clip);
 /// The sequences in which the pose of a transfer's template is found that is like the target's: the one that
 /// the entry names, or all captured ones of the template's character.
 std::vector<std::string> templateSequences(const Project& project, const TransferEntry& transfer);
+/// The transfers that a character performs and that say what the result ought to be.
+std::vector<const TransferEntry*> transfersWithTruth(const Project& project, const std::string& character);
 /// How many variations an entry draws.
 int variationCount(const VariationEntry& entry);
 

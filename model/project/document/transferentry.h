@@ -24,6 +24,9 @@ struct TransferEntry
     std::optional<double> scale;  ///< of the way; what the target's steps ask for
     bool correctsPose = true;     ///< limbs held otherwise than in the reference pose are brought there
     bool correctsContacts = true; ///< feet that stand in the clip stand still
+    /// A clip of the target's mesh that shows what the result ought to be, for evaluations; empty where none
+    /// is known.
+    std::string truth;
     UnknownKeys unknown;
 
     bool operator==(const TransferEntry&) const = default;

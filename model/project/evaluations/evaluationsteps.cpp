@@ -28,7 +28,8 @@ MakeStep makerOf(const std::string& table)
                                                         {"table2", table2Step},
                                                         {"cvs-fig4", cvsFig4Step},
                                                         {"cvs-fig7", cvsFig7Step},
-                                                        {"variations", variationsStep}};
+                                                        {"variations", variationsStep},
+                                                        {"transfer-error", transferErrorStep}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }
@@ -68,6 +69,8 @@ bool isPossible(const std::string& table, const CharacterInputs& work)
         return !sequencesWithAngles(work).empty();
     if (needsAppearance(table))
         return appearanceOf(work.opener->project(), work.character) != nullptr;
+    if (needsTruth(table))
+        return !transfersWithTruth(work.opener->project(), work.character).empty();
     return !needsVariations(table) || !learnedVariations(work.opener->project(), work.character).empty();
 }
 

@@ -30,6 +30,9 @@ BuildStep cvsFig4Step(const CharacterInputs& work, const EvaluationEntry& evalua
 BuildStep cvsFig7Step(const CharacterInputs& work, const EvaluationEntry& evaluation);
 BuildStep variationsStep(const CharacterInputs& work, const EvaluationEntry& evaluation);
 
+/// \pre The character performs a transfer that names a truth.
+BuildStep transferErrorStep(const CharacterInputs& work, const EvaluationEntry& evaluation);
+
 /// The sequences of a character that have reference joint angles, as positions in its list.
 std::vector<std::size_t> sequencesWithAngles(const CharacterInputs& work);
 

@@ -82,7 +82,8 @@ void describe(Fields& f, Type<EvaluationEntry>)
              "textures are restored by its number of components (fig17 SSIM, fig18 squared error), those "
              "that were left out (fig19, fig20), textures between two by Eigen textures (fig22) and "
              "against captured ones (appearance-interpolation), those of poses of a take that was left out "
-             "(appearance-shape), and bytes (appearance-rates).",
+             "(appearance-shape), and bytes (appearance-rates). Of transfers that name a truth: how far "
+             "they are from it (transfer-error).",
          .need = Need::Required,
          .choices = evaluationTables});
     f.reference("character", &E::character, NamedKind::Character,

@@ -35,6 +35,10 @@ void describe(Fields& f, Type<TransferEntry>)
                      "brought there first: the arms of a scan in A- or T-pose. Else the difference stays."});
     f.field("contact_correction", &E::correctsContacts,
             {.help = "Feet that stand in the clip stand still in the result as well."});
+    f.as(Role::Clip, "truth", &E::truth,
+         {.help = "What the result ought to be, where it is known: a clip of the target's mesh as "
+                  "“SECTION/NAME”, with as many frames as the clip. The result does not depend on it; the "
+                  "evaluation “transfer-error” compares them."});
     f.unknown(&E::unknown);
 }
 

@@ -192,8 +192,11 @@ public:
 private:
     void changeText(std::string& text, const FieldInfo& info)
     {
-        if (info.role == Role::Clip) {
+        if (info.role == Role::Clip && info.need == Need::Required) {
             m_isLost |= !m_change.keepsClip(text);
+        } else if (info.role == Role::Clip) {
+            if (!m_change.keepsClip(text))
+                text.clear();
         } else if (auto clip = clipOfSource(text); clip && info.role == Role::Source) {
             m_isLost |= !m_change.keepsClip(*clip);
             text = "clip:" + *clip;

@@ -36,6 +36,7 @@ std::string TransferWork::settings() const
     TransferEntry entry = m_entry;
     entry.name.clear();
     entry.clip.clear();
+    entry.truth.clear();
     entry.target.sequence.clear();
     if (entry.reference)
         entry.reference->sequence.clear();

@@ -158,6 +158,20 @@ TEST(References, OfATransferFollowNamesAndTakeItAlong)
     }
 }
 
+TEST(References, ToATruthFollowNamesAndGoWithoutTheTransfer)
+{
+    Project project = fullProject();
+    project.transfers.front().truth = "sequences/again";
+    renameEntry(project, NamedKind::Sequence, "again", "once more");
+    EXPECT_EQ(project.transfers.front().truth, "sequences/once more");
+    removeEntries(project, NamedKind::Sequence, {"once more"});
+    ASSERT_EQ(project.transfers.size(), 1U);
+    EXPECT_EQ(project.transfers.front().truth, "");
+    project.transfers.front().truth = "variations/drawn/2";
+    renameEntry(project, NamedKind::Variation, "drawn", "more");
+    EXPECT_EQ(project.transfers.front().truth, "variations/more/2");
+}
+
 TEST(References, OfAProjectionFollowNamesAndTakeItAlong)
 {
     Project project = fullProject();

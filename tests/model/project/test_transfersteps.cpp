@@ -91,6 +91,13 @@ TEST_F(TransferSteps, TakeTheMeshOfTheTemplateForAPoseOfIt)
     EXPECT_THAT(said(), HasSubstr("is frame 0 of “slow”"));
 }
 
+TEST_F(TransferSteps, DoNotDependOnATruth)
+{
+    run("transfers");
+    transfer().truth = "sequences/slow";
+    EXPECT_THAT(computed(run("transfers")), IsEmpty());
+}
+
 TEST_F(TransferSteps, TakeWhatTransfersMade)
 {
     TransferEntry back = transfer();

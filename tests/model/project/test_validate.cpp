@@ -65,6 +65,9 @@ TEST(Validate, TransfersAreChecked)
     EXPECT_THAT(problemOf([](Entry& e) { e.pairs[1].onTarget = e.pairs[0].onTarget; }),
                 AllOf(HasSubstr("/transfers/0/pairs/1"), HasSubstr("in two pairs")));
     EXPECT_THAT(problemOf([](Entry& e) { e.scale = 0; }), HasSubstr("/transfers/0/scale"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.truth = "sequences/sotfly"; }),
+                AllOf(HasSubstr("/transfers/0/truth"), HasSubstr("Did you mean “softly”?")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.truth = "softly"; }), HasSubstr("names no clip"));
 }
 
 TEST(Validate, ProjectionsAreChecked)
