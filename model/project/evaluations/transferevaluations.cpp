@@ -201,6 +201,7 @@ BuildStep transferErrorStep(const CharacterInputs& work, const EvaluationEntry& 
     const Project& project = work.opener->project();
     std::vector<TransferWork> transfers;
     BuildStep step = evaluationStep(work, evaluation);
+    step.version = TransferWork::version;
     for (const TransferEntry* entry : transfersWithTruth(project, work.character)) {
         const TransferWork& own = transfers.emplace_back(work.opener, *entry);
         step.settings += writeFields(*entry).dump(-1, ' ', true, Json::error_handler_t::replace) +

@@ -3,6 +3,8 @@
 #include "model/project/steps/performtransfer.h"
 
 #include "model/core/error.h"
+#include "model/sequence/contacts.h"
+#include "model/sequence/feet.h"
 #include "model/synthesis/clips/stances.h"
 #include "model/synthesis/finishing/contactcorrection.h"
 #include "model/transfer/transferclip.h"
@@ -13,6 +15,15 @@ namespace quadrille {
 
 namespace {
 
+/// In its own pose a target is more likely to stand on both than where a clip shows it tallest: in the middle
+/// of a kick, say.
+Legs legsAtRest(const TransferBodies& bodies)
+{
+    const PosedMesh& target = bodies.target();
+    return findLegs(*target.topology, upright(target.positions, target.positions.size(), bodies.up()),
+                    ContactOptions().footShare);
+}
+
 Clip withStandingFeet(Clip clip, const TransferBodies& bodies, const TransferBodies::Tell& tell,
                       const Progress& progress)
 {
@@ -20,7 +31,8 @@ Clip withStandingFeet(Clip clip, const TransferBodies& bodies, const TransferBod
     if (!bodies.entry().correctsContacts || contacts.empty())
         return clip;
     try {
-        return contactsCorrected(clip, contacts, {}, {.up = bodies.up()}, progress);
+        const Legs legs = legsAtRest(bodies);
+        return contactsCorrected(clip, contacts, {}, {.up = bodies.up(), .legs = &legs}, progress);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::NoFeet)
             throw;

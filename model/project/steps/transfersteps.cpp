@@ -73,7 +73,7 @@ std::vector<BuildStep> makeTransferSteps(const StepMaking& making)
         BuildStep step;
         step.name = clipStepOf(work->clipName());
         step.dataPrefix = work->clipName();
-        step.version = 3;
+        step.version = TransferWork::version;
         step.character = work->character();
         step.settings = work->settings();
         step.files = [work](const Progress& progress) { return work->files(progress); };

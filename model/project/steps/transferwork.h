@@ -16,6 +16,9 @@ namespace quadrille {
 class TransferWork
 {
 public:
+    /// Of the steps that make transfers, and of those that measure them, see BuildStep::version.
+    static constexpr int version = 4;
+
     TransferWork(std::shared_ptr<SequenceOpener> opener, TransferEntry entry);
 
     const TransferEntry& entry() const { return m_entry; }

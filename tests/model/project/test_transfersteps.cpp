@@ -20,6 +20,43 @@ class TransferSteps : public TransferProject
 {
 };
 
+constexpr int legRows = 30;
+
+/// Two flat legs of a metre, the right one first, under a flat trunk; the left one kicked forwards.
+/// \param x  where the figure stands.
+std::string kicker(double angle, double x)
+{
+    std::string text;
+    const auto vertex = [&](double across, double y, double z) {
+        text += "v " + std::to_string(x + across) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    };
+    for (const double kicked : {0.0, angle}) {
+        const double side = text.empty() ? -0.15 : 0.15;
+        for (int row = 0; row <= legRows; ++row) {
+            const double down = static_cast<double>(row) / legRows;
+            for (const double edge : {-0.05, 0.05})
+                vertex(side + edge, 1 - down * std::cos(kicked), down * std::sin(kicked));
+        }
+    }
+    vertex(-0.2, 1.7, 0);
+    vertex(0.2, 1.7, 0);
+    const auto triangle = [&](int a, int b, int c) {
+        for (const int corner : {a, b, c})
+            text += (corner == a ? "f " : " ") + std::to_string(corner + 1);
+        text += "\n";
+    };
+    constexpr int leg = 2 * (legRows + 1);
+    for (int first = 0; first < 2 * leg; first += first % leg == leg - 4 ? 4 : 2) {
+        triangle(first, first + 2, first + 1);
+        triangle(first + 1, first + 2, first + 3);
+    }
+    triangle(0, 1, 2 * leg);
+    triangle(1, leg, 2 * leg);
+    triangle(leg, 2 * leg + 1, 2 * leg);
+    triangle(leg, leg + 1, 2 * leg + 1);
+    return text;
+}
+
 } // namespace
 
 TEST_F(TransferSteps, MakeAClipOfTheTarget)
@@ -137,4 +174,33 @@ TEST_F(TransferSteps, SayWhatIsWrong)
     transfer().reference = NamedFrame{"slow", FrameIndex(14)};
     EXPECT_THAT(failure(), HasSubstr("“slow” has no frame 14"));
     EXPECT_THAT(failure(), HasSubstr("from 0 to 13"));
+}
+
+/// No frame of the clip shows two feet on the ground; the pose of the target does.
+TEST_F(TransferSteps, KeepFeetStandingThatOnlyTheTargetsOwnPoseShows)
+{
+    constexpr int frames = 6;
+    constexpr double slide = 0.02;
+    for (int f = 0; f < frames; ++f)
+        folder.write("kick/f_" + std::to_string(f) + ".obj", kicker(1.7, slide * f));
+    folder.write("stand.obj", kicker(0, 0));
+    folder.write("scan.obj", kicker(0, 2));
+    project.sequences = {sequenceOf("kick", "kick"), sequenceOf("stand", "stand.obj"),
+                         sequenceOf("scan", "scan.obj")};
+    project.sequences[0].contacts = {{"foot", {FrameIndex(0), FrameIndex(frames - 1)}}};
+    project.sequences[2].character = "scan";
+    transfer().clip = "sequences/kick";
+    transfer().reference = NamedFrame{"stand", FrameIndex(0)};
+    transfer().pairs.clear();
+    for (std::uint32_t t = 0; t < 4 * legRows + 4; ++t)
+        transfer().pairs.push_back({TriangleIndex(t), TriangleIndex(t)});
+    const auto footAt = [this](std::int64_t frame) {
+        const auto made = opener().openClip("transfers/slowly");
+        return made->sequence.frame(FrameIndex(frame)).positions()[2 * legRows].x();
+    };
+    run("transfers");
+    EXPECT_NEAR(footAt(frames - 1) - footAt(0), slide * (frames - 1), 0.01);
+    transfer().correctsContacts = true;
+    EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+    EXPECT_NEAR(footAt(frames - 1), footAt(0), 0.005);
 }
