@@ -17,7 +17,7 @@ struct Word
     const char* text;
 };
 
-constexpr std::array words{
+constexpr auto words = std::to_array<Word>({
     Word{"surface", QT_TRANSLATE_NOOP("EvaluationWord", "surface cost")},
     Word{"surface-deviation", QT_TRANSLATE_NOOP("EvaluationWord", "deviation of surface cost")},
     Word{"acceleration", QT_TRANSLATE_NOOP("EvaluationWord", "acceleration")},
@@ -297,7 +297,7 @@ constexpr std::array words{
     Word{"skate-of-truth", QT_TRANSLATE_NOOP("EvaluationWord", "foot slide of the truth")},
     Word{"character", QT_TRANSLATE_NOOP("EvaluationWord", "character")},
     Word{"results", QT_TRANSLATE_NOOP("EvaluationWord", "results")},
-};
+});
 
 } // namespace
 
