@@ -9,6 +9,9 @@
 #include "model/synthesis/finishing/contactcorrection.h"
 #include "model/transfer/transferclip.h"
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 
 namespace quadrille {
@@ -24,6 +27,45 @@ Legs legsAtRest(const TransferBodies& bodies)
                     ContactOptions().footShare);
 }
 
+/// Which of two feet is the left one is told by toes, and they may mislead where a leg is high up: whether
+/// the feet that stand by their names move more than they would by each other's.
+/// \param frames  their number. \param placeOf  of a foot in a frame.
+bool areExchanged(std::array<const std::string*, 2> names, std::span<const ContactSpan> contacts,
+                  std::int64_t frames,
+                  const std::function<Vec3d(std::size_t foot, std::int64_t frame)>& placeOf)
+{
+    double asNamed = 0;
+    double exchanged = 0;
+    for (const ContactSpan& contact : contacts) {
+        for (std::size_t foot = 0; foot < 2; ++foot) {
+            if (contact.foot != *names[foot])
+                continue;
+            const std::int64_t last = std::min(contact.frames.last.value, frames - 1);
+            for (std::int64_t f = std::max<std::int64_t>(contact.frames.first.value, 0); f < last; ++f) {
+                asNamed += (placeOf(foot, f + 1) - placeOf(foot, f)).norm();
+                exchanged += (placeOf(1 - foot, f + 1) - placeOf(1 - foot, f)).norm();
+            }
+        }
+    }
+    return exchanged < asNamed;
+}
+
+/// Legs of a performance, its feet named as those that stand in its contacts.
+Legs legsOf(const Clip& clip, const TransferBodies& bodies, std::span<const ContactSpan> contacts)
+{
+    Legs legs = findLegs(*clip.topology, upright(clip.positions, clip.topology->vertexCount(), bodies.up()),
+                         ContactOptions().footShare);
+    if (legs.feet.empty())
+        legs = legsAtRest(bodies);
+    if (legs.feet.size() == 2 &&
+        areExchanged({&legs.feet[0].name, &legs.feet[1].name}, contacts, clip.frameCount(),
+                     [&](std::size_t foot, std::int64_t f) -> Vec3d {
+                         return meanOf(clip.frame(f), legs.feet[foot].vertices).cast<double>();
+                     }))
+        std::swap(legs.feet[0].name, legs.feet[1].name);
+    return legs;
+}
+
 Clip withStandingFeet(Clip clip, const TransferBodies& bodies, const TransferBodies::Tell& tell,
                       const Progress& progress)
 {
@@ -31,8 +73,10 @@ Clip withStandingFeet(Clip clip, const TransferBodies& bodies, const TransferBod
     if (!bodies.entry().correctsContacts || contacts.empty())
         return clip;
     try {
-        const Legs legs = legsAtRest(bodies);
-        return contactsCorrected(clip, contacts, {}, {.up = bodies.up(), .legs = &legs}, progress);
+        const Legs legs = legsOf(clip, bodies, contacts);
+        return contactsCorrected(clip, contacts, {},
+                                 {.up = bodies.up(), .frames = {}, .legs = &legs, .trustsLegs = true},
+                                 progress);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::NoFeet)
             throw;
@@ -73,7 +117,13 @@ PerformedTransfer performTransfer(const TransferBodies& bodies, const TransferMa
 
 std::vector<double> footSlides(const MeshSequence& performance, UpAxis up, const Progress& progress)
 {
-    const Stances stances = findStances(CharacterFrames(std::span(&performance, 1)), up, progress);
+    Stances stances = findStances(CharacterFrames(std::span(&performance, 1)), up, progress);
+    if (stances.feet.size() == 2 &&
+        areExchanged({&stances.feet[0].name, &stances.feet[1].name}, performance.contacts,
+                     performance.frameCount(), [&](std::size_t foot, std::int64_t f) {
+                         return stances.placeOf(static_cast<NodeIndex>(f), foot);
+                     }))
+        std::swap(stances.feet[0].vertices, stances.feet[1].vertices);
     std::vector<double> slides;
     for (FrameIndex f(0); f.value < performance.frameCount(); ++f) {
         const auto node = static_cast<NodeIndex>(f.value);
