@@ -98,10 +98,14 @@ void TransferResults::compute(const QString& name, Item& item)
         [working = document().working(), name = name.toStdString(),
          before = item.preview](const Progress& progress, const Post& post) {
             const ProjectResults results(working);
-            TransferPreviewPointer preview = previewTransfer(results, name, before, progress.part(0, 0.3));
-            post([preview](const QString& /*name*/, ResultState& state) {
-                static_cast<Item&>(state).preview = preview;
-            });
+            const auto show = [&post](TransferPreviewPointer preview) {
+                post([preview = std::move(preview)](const QString& /*name*/, ResultState& state) {
+                    static_cast<Item&>(state).preview = preview;
+                });
+            };
+            const TransferPreviewPointer preview =
+                previewTransfer(results, name, before, progress.part(0, 0.3), show);
+            show(preview);
             if (preview->failure)
                 throw Error(*preview->failure);
             return openTransfer(results, name, progress.part(0.3, 1));

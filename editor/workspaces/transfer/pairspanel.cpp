@@ -137,13 +137,16 @@ QString PairsPanel::advice() const
     if (m_transfer.entry() == nullptr)
         return tr("Pairs of triangles say which places of two bodies move alike.");
     const auto count = static_cast<int>(m_transfer.pairs().size());
+    const TransferPreviewPointer preview = m_transfer.preview();
+    if (count == 0 && preview != nullptr && !preview->posed && !preview->failure)
+        return tr("Pairs are sought…");
     if (count == 0)
-        return m_transfer.preview() != nullptr
+        return preview != nullptr
                    ? tr("Click on a place of the template, then on the same place of the body. Some pairs on "
                         "each part that turns will do: from about 15 on.")
                    : QString();
     QStringList texts;
-    const double ratio = m_transfer.preview() != nullptr ? m_transfer.preview()->sizeRatio : 1;
+    const double ratio = preview != nullptr ? preview->sizeRatio : 1;
     if (ratio > unlikelyRatio || ratio < 1 / unlikelyRatio)
         texts +=
             tr("The body is %1 times as tall as the template: its file may be in another unit, which the "

@@ -97,7 +97,8 @@ void rate(TransferPreview& preview)
 } // namespace
 
 TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
-                                       const TransferPreviewPointer& before, const Progress& progress)
+                                       const TransferPreviewPointer& before, const Progress& progress,
+                                       const std::function<void(TransferPreviewPointer)>& show)
 {
     SequenceOpener& opener = *results.opener();
     const double unitsPerMetre = 1 / opener.project().settings.axes.metresPerUnit;
@@ -112,12 +113,16 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
     PosedMesh reference = bodies.anyPose();
     preview.targetPose = target;
     preview.up = up;
-    const bool hasTarget = before != nullptr && haveOneTarget(*before, preview);
-    preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
+    const bool hasTarget = before != nullptr && before->solid && haveOneTarget(*before, preview);
     preview.rest = still(preview.target->sequence, target.positions, up, unitsPerMetre);
+    if (show && !hasTarget) {
+        preview.reference = still(preview.performed, reference.positions, up, unitsPerMetre);
+        show(std::make_shared<const TransferPreview>(preview));
+    }
+    preview.targetPlaces = hasTarget ? before->targetPlaces : placesOf(target, up, progress.part(0.2, 0.3));
     try {
         const auto ignore = [](const std::string& /*text*/) {};
-        preview.solid = hasTarget && before->solid
+        preview.solid = hasTarget
                             ? before->solid
                             : std::make_shared<const TransferTarget>(*target.topology, target.positions);
         preview.pairs = bodies.pairs(ignore, progress.part(0.3, 0.5));

@@ -10,6 +10,7 @@
 #include "model/transfer/pairproposal.h"
 #include "model/transfer/transfersolver.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct TransferPreview
     MeshSequence rest;               ///< one frame: the target, turned as the template
     std::vector<ProposedPair> pairs; ///< of the entry, else proposed ones
     /// The target performs the clip: its poses are made when they are read. Without contacts corrected.
+    /// Nothing in a first look, or where there is a failure.
     std::optional<MeshSequence> posed;
     double sizeRatio = 1;         ///< of the heights of target and template
     std::optional<Error> failure; ///< why there are no pairs, or nothing is posed
@@ -45,10 +47,12 @@ struct TransferPreview
 using TransferPreviewPointer = std::shared_ptr<const TransferPreview>;
 
 /// \param before  an earlier one of the same transfer, whose parts are used again where they still hold; may
-/// be null. \throws Error where clip or target cannot be opened, or have no such frame; ProjectInvalid where
-/// there is no such transfer; Cancelled.
+/// be null. \param show  takes a first look where the target was not known before: both bodies as they stand,
+/// without pairs and places; may be empty. \throws Error where clip or target cannot be opened, or have no
+/// such frame; ProjectInvalid where there is no such transfer; Cancelled.
 TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
-                                       const TransferPreviewPointer& before, const Progress& progress = {});
+                                       const TransferPreviewPointer& before, const Progress& progress = {},
+                                       const std::function<void(TransferPreviewPointer)>& show = {});
 
 /// A transfer that was computed.
 struct TransferResult

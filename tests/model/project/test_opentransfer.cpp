@@ -107,6 +107,28 @@ TEST_F(OpenTransfer, ShowsBothBodiesInTheMiddleOfTheGround)
         EXPECT_LT((reference[v] + shift - captured[v]).norm(), 1e-6F);
 }
 
+TEST_F(OpenTransfer, ShowsBothBodiesBeforeTheTargetIsPrepared)
+{
+    takeBodies();
+    std::vector<TransferPreviewPointer> looks;
+    const auto look = [&](const TransferPreviewPointer& before) {
+        return previewTransfer(ProjectResults({project, folder / "p.quadrille"}), "slowly", before, {},
+                               [&looks](TransferPreviewPointer seen) { looks.push_back(std::move(seen)); });
+    };
+    const TransferPreviewPointer whole = look(nullptr);
+    ASSERT_EQ(looks.size(), 1U);
+    EXPECT_FALSE(looks[0]->posed || looks[0]->failure || looks[0]->solid);
+    EXPECT_THAT(looks[0]->pairs, IsEmpty());
+    EXPECT_EQ(looks[0]->rest.source->vertexCount(), whole->rest.source->vertexCount());
+    EXPECT_EQ(looks[0]->reference.source->vertexCount(), whole->reference.source->vertexCount());
+    // Whoever was stopped there begins anew.
+    const TransferPreviewPointer again = look(looks[0]);
+    EXPECT_EQ(looks.size(), 2U);
+    EXPECT_TRUE(again->posed && again->solid && again->targetPlaces && again->templatePlaces);
+    look(again);
+    EXPECT_EQ(looks.size(), 2U);
+}
+
 TEST_F(OpenTransfer, TakesPartsThatStillHoldAgain)
 {
     takeBodies();
