@@ -132,6 +132,14 @@
         <source>A take of the body that shows what the result ought to be, for the evaluation of transfers; the result does not depend on it</source>
         <translation>Une prise du corps qui montre ce que le résultat devrait être, pour l’évaluation des transferts ; le résultat n’en dépend pas</translation>
     </message>
+    <message>
+        <source>Carry stretch</source>
+        <translation>Transmettre l’étirement</translation>
+    </message>
+    <message>
+        <source>How the skin of the template stretches and is pressed together about each pair is carried as well, so that bends keep their volume; else rotations only</source>
+        <translation>La façon dont la peau du gabarit s’étire et se comprime autour de chaque paire est transmise aussi, pour que les plis gardent leur volume ; sinon les rotations seules</translation>
+    </message>
 </context>
 <context>
     <name>Evaluation</name>
@@ -1551,6 +1559,14 @@
     <message>
         <source>foot slide of the truth</source>
         <translation>glissement des pieds de la vérité</translation>
+    </message>
+    <message>
+        <source>stretched</source>
+        <translation>avec étirement</translation>
+    </message>
+    <message>
+        <source>turned only</source>
+        <translation>rotations seules</translation>
     </message>
 </context>
 <context>
@@ -8693,6 +8709,10 @@
     <message>
         <source>The body is %1 times as tall as the template: its file may be in another unit, which the properties of its take can name.</source>
         <translation>Le corps est %1 fois aussi grand que le gabarit : son fichier est peut-être dans une autre unité, que les propriétés de sa prise peuvent nommer.</translation>
+    </message>
+    <message>
+        <source>Pairs are sought…</source>
+        <translation>Recherche de paires…</translation>
     </message>
 </context>
 <context>

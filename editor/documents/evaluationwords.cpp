@@ -282,6 +282,8 @@ constexpr auto words = std::to_array<Word>({
     Word{"pose", QT_TRANSLATE_NOOP("EvaluationWord", "pose")},
     Word{"pose corrected", QT_TRANSLATE_NOOP("EvaluationWord", "pose corrected")},
     Word{"pose as it is", QT_TRANSLATE_NOOP("EvaluationWord", "pose as it is")},
+    Word{"stretched", QT_TRANSLATE_NOOP("EvaluationWord", "stretched")},
+    Word{"turned only", QT_TRANSLATE_NOOP("EvaluationWord", "turned only")},
     Word{"mean-share", QT_TRANSLATE_NOOP("EvaluationWord", "mean error, share of the height")},
     Word{"worst-share", QT_TRANSLATE_NOOP("EvaluationWord", "worst error, share of the height")},
     Word{"placed-mean-share",

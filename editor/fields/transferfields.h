@@ -26,6 +26,7 @@ struct TransferNames
     const char* field;
     const char* scale;
     const char* poses;
+    const char* stretch;
     const char* contacts;
     const char* truth;
 };
@@ -103,6 +104,13 @@ void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferN
                                        "T-pose");
                       }},
                      &TransferEntry::correctsPose);
+    fields.addSwitch({names.stretch, [] { return T::tr("Carry stretch"); },
+                      [] {
+                          return T::tr("How the skin of the template stretches and is pressed together about "
+                                       "each pair is carried as well, so that bends keep their volume; else "
+                                       "rotations only");
+                      }},
+                     &TransferEntry::carriesStretch);
     fields.addSwitch({names.contacts, [] { return T::tr("Correct contacts"); },
                       [] { return T::tr("Feet that stand in the clip stand still in the result as well"); }},
                      &TransferEntry::correctsContacts);

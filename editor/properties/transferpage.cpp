@@ -18,6 +18,7 @@ constexpr TransferNames pageNames{.clip = "transferClip",
                                   .field = "transferField",
                                   .scale = "transferScale",
                                   .poses = "transferPoses",
+                                  .stretch = "transferStretch",
                                   .contacts = "transferContacts",
                                   .truth = "transferTruth"};
 

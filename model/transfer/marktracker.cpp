@@ -38,38 +38,38 @@ MarkTracker::MarkTracker(std::vector<Triangle> triangles, Positions reference)
 {
 }
 
-MarkRotations MarkTracker::next(Positions frame)
+MarkDeformations MarkTracker::next(Positions frame)
 {
     const PoseFrames frames = poseFrames(m_triangles, frame);
     const TriangleLogs logs = triangleLogs(m_reference, frames, Eigen::Quaterniond::Identity());
     std::vector<int> degenerate;
     std::ranges::set_union(m_reference.degenerate, frames.degenerate, std::back_inserter(degenerate));
-    MarkRotations now;
+    MarkDeformations now;
     std::vector<Eigen::Quaterniond> sound;
     for (std::size_t m = 0; m < m_triangles.size(); ++m) {
         const double sine = std::sin(logs.halfAngle[m]);
-        now.marks.emplace_back(logs.cosine[m], sine * logs.axisX[m], sine * logs.axisY[m],
-                               sine * logs.axisZ[m]);
+        now.rotations.emplace_back(logs.cosine[m], sine * logs.axisX[m], sine * logs.axisY[m],
+                                   sine * logs.axisZ[m]);
         if (!std::ranges::binary_search(degenerate, static_cast<int>(m)))
-            sound.push_back(now.marks.back());
+            sound.push_back(now.rotations.back());
     }
     now.root = sound.empty() ? Eigen::Quaterniond::Identity() : meanRotation(sound);
     for (const int m : degenerate)
-        now.marks[static_cast<std::size_t>(m)] = now.root;
+        now.rotations[static_cast<std::size_t>(m)] = now.root;
     if (now.root.dot(m_rootBefore) < 0)
         negate(now.root);
     if (m_before.empty())
         chooseSigns(now);
     else
         continueSigns(now);
-    m_before = now.marks;
+    m_before = now.rotations;
     m_rootBefore = now.root;
     return now;
 }
 
-void MarkTracker::chooseSigns(MarkRotations& now) const
+void MarkTracker::chooseSigns(MarkDeformations& now) const
 {
-    std::vector<Eigen::Quaterniond>& marks = now.marks;
+    std::vector<Eigen::Quaterniond>& marks = now.rotations;
     // Marks are linked one after the other, by the pair that turns most alike: parts that have turned far
     // are reached by way of those between.
     std::vector<double> likeness(marks.size());
@@ -100,11 +100,11 @@ void MarkTracker::chooseSigns(MarkRotations& now) const
     }
 }
 
-void MarkTracker::continueSigns(MarkRotations& now) const
+void MarkTracker::continueSigns(MarkDeformations& now) const
 {
-    for (std::size_t m = 0; m < now.marks.size(); ++m) {
-        if (now.marks[m].dot(m_before[m]) < 0)
-            negate(now.marks[m]);
+    for (std::size_t m = 0; m < now.rotations.size(); ++m) {
+        if (now.rotations[m].dot(m_before[m]) < 0)
+            negate(now.rotations[m]);
     }
 }
 

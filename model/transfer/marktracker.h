@@ -11,11 +11,13 @@
 
 namespace quadrille {
 
-/// How the marked triangles of a template are turned in one frame.
-struct MarkRotations
+/// How the marked triangles of a template are deformed in one frame, from the reference pose.
+struct MarkDeformations
 {
-    std::vector<Eigen::Quaterniond> marks; ///< unit quaternions, from the reference pose
-    Eigen::Quaterniond root;               ///< their mean: the rotation of the body as a whole
+    std::vector<Eigen::Quaterniond> rotations; ///< unit quaternions
+    Eigen::Quaterniond root;                   ///< the mean of those: the rotation of the body as a whole
+    /// How they are stretched beforehand, symmetric matrices; empty where they only turn.
+    std::vector<Eigen::Matrix3d> stretches;
 };
 
 /// Follows marked triangles of a template from frame to frame (SCANS §4). A rotation is two quaternions: in
@@ -31,11 +33,11 @@ public:
 
     /// The rotations in the next frame, by the polar factor of each triangle's deformation.
     /// \param frame  all vertices. Cost: O(marks); in the first frame O(marks²) for up to 1,000 of them.
-    MarkRotations next(Positions frame);
+    MarkDeformations next(Positions frame);
 
 private:
-    void chooseSigns(MarkRotations& now) const;
-    void continueSigns(MarkRotations& now) const;
+    void chooseSigns(MarkDeformations& now) const;
+    void continueSigns(MarkDeformations& now) const;
 
     std::vector<Triangle> m_triangles;
     PoseFrames m_reference;

@@ -5,6 +5,7 @@
 #include "model/core/bounds.h"
 #include "model/geometry/trianglelogs.h"
 #include "model/transfer/posecorrection.h"
+#include "model/transfer/stretchtracker.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -50,29 +51,35 @@ PreparedTransfer::PreparedTransfer(const MeshSequence& clip, const PosedMesh& re
     for (const TrianglePair& pair : pairs)
         m_triangles.push_back(target.topology->triangles()[pair.onTarget.value]);
     m_rest = poseFrames(m_triangles, target.positions);
-    follow(clip, reference.positions, pairs, settings.up, progress);
+    follow(clip, reference, pairs, settings, progress);
     turnBeforehand(reference, target, pairs, settings);
 }
 
-void PreparedTransfer::follow(const MeshSequence& clip, Positions reference,
-                              std::span<const TrianglePair> pairs, UpAxis up, const Progress& progress)
+void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& reference,
+                              std::span<const TrianglePair> pairs, const TransferSettings& settings,
+                              const Progress& progress)
 {
     std::vector<Triangle> triangles;
     for (const TrianglePair& pair : pairs)
         triangles.push_back(clip.topology->triangles()[pair.onTemplate.value]);
-    MarkTracker tracker(triangles, reference);
+    MarkTracker tracker(triangles, reference.positions);
+    std::optional<StretchTracker> stretches;
+    if (settings.carriesStretch)
+        stretches.emplace(reference, pairs);
     m_course.fps = clip.fps;
     const std::int64_t count = clip.frameCount();
     m_course.stands = standingFrames(clip.contacts, count);
     for (FrameIndex f(0); f.value < count; ++f) {
         const Frame frame = clip.frame(f);
         const Positions pose = frame.positions();
-        m_rotations.push_back(tracker.next(pose));
+        m_deformations.push_back(tracker.next(pose));
+        if (stretches)
+            m_deformations.back().stretches = stretches->next(pose);
         Vec3d middle = Vec3d::Zero();
         for (const Triangle& triangle : triangles)
             middle += middleOf(triangle, pose) / static_cast<double>(triangles.size());
         m_course.middles.push_back(middle);
-        m_course.lowest.push_back(boundsOf(pose).min[static_cast<Eigen::Index>(up)]);
+        m_course.lowest.push_back(boundsOf(pose).min[static_cast<Eigen::Index>(settings.up)]);
         progress.report(f.value + 1, count);
     }
     m_course.ground = groundOf(m_course);
@@ -92,16 +99,21 @@ void PreparedTransfer::turnBeforehand(const PosedMesh& reference, const PosedMes
         for (std::size_t m = 0; m < pairs.size(); ++m)
             before[m] = corrections[m] * turn;
     }
-    for (MarkRotations& frame : m_rotations) {
+    for (MarkDeformations& frame : m_deformations) {
         for (std::size_t m = 0; m < before.size(); ++m)
-            frame.marks[m] = frame.marks[m] * before[m];
+            frame.rotations[m] = frame.rotations[m] * before[m];
+        // What is stretched is the target in its own pose.
+        for (std::size_t m = 0; m < frame.stretches.size(); ++m) {
+            const Eigen::Matrix3d onto = before[m].toRotationMatrix();
+            frame.stretches[m] = onto.transpose() * frame.stretches[m] * onto;
+        }
         frame.root = frame.root * turn;
     }
 }
 
 double PreparedTransfer::markError(std::size_t frame, Positions pose) const
 {
-    const std::vector<Eigen::Quaterniond>& wanted = m_rotations[frame].marks;
+    const std::vector<Eigen::Quaterniond>& wanted = m_deformations[frame].rotations;
     const TriangleLogs logs =
         triangleLogs(m_rest, poseFrames(m_triangles, pose), Eigen::Quaterniond::Identity());
     double sum = 0;

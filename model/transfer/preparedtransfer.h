@@ -24,7 +24,7 @@ public:
                      std::shared_ptr<const TransferTarget> solid, std::span<const TrianglePair> pairs,
                      const TransferSettings& settings, const Progress& progress = {});
 
-    std::size_t frames() const { return m_rotations.size(); }
+    std::size_t frames() const { return m_deformations.size(); }
     std::size_t vertices() const { return m_vertices; }
     const TemplateCourse& course() const { return m_course; }
     /// Of the target about the up axis beforehand, radians.
@@ -35,7 +35,7 @@ public:
     /// \param out  the target's vertices, metres, the middle of its marks at the origin.
     void pose(std::size_t frame, MutablePositions out, TransferSolver::Scratch& scratch) const
     {
-        m_solver.pose(m_rotations[frame], out, scratch);
+        m_solver.pose(m_deformations[frame], out, scratch);
     }
     bool knowsVolume() const { return m_volumeAtRest != 0; }
     /// A share of that at rest. \pre knowsVolume().
@@ -44,8 +44,8 @@ public:
     double markError(std::size_t frame, Positions pose) const;
 
 private:
-    void follow(const MeshSequence& clip, Positions reference, std::span<const TrianglePair> pairs, UpAxis up,
-                const Progress& progress);
+    void follow(const MeshSequence& clip, const PosedMesh& reference, std::span<const TrianglePair> pairs,
+                const TransferSettings& settings, const Progress& progress);
     void turnBeforehand(const PosedMesh& reference, const PosedMesh& target,
                         std::span<const TrianglePair> pairs, const TransferSettings& settings);
 
@@ -53,7 +53,7 @@ private:
     double m_turn;
     double m_sizeRatio;
     TransferSolver m_solver;
-    std::vector<MarkRotations> m_rotations; ///< of each frame, from the target's own pose
+    std::vector<MarkDeformations> m_deformations; ///< of each frame, from the target's own pose
     TemplateCourse m_course;
     SurfaceVolume m_volume;
     double m_volumeAtRest;

@@ -5,7 +5,7 @@
 #include "model/core/progress.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
-#include "model/transfer/rotationfield.h"
+#include "model/transfer/deformationfield.h"
 
 #include <memory>
 #include <optional>
@@ -37,6 +37,9 @@ struct TransferSettings
     /// Limbs that the target holds in another way than the template's reference pose are brought there; else
     /// they keep the difference.
     bool correctsPose = true;
+    /// How the template's skin stretches about the marks is carried as well; rotations only, as published,
+    /// where not.
+    bool carriesStretch = true;
     /// Of the template's way over the ground and of its height above it; what the target's steps and size ask
     /// for when empty.
     std::optional<double> scale;
@@ -74,12 +77,12 @@ double poseDifference(const Topology& mesh, Positions pose, const PosedMesh& tar
 
 /// Transfers a performance onto another mesh (SCANS §4): the target, turned as the template, takes in each
 /// frame the rotations of the marked triangles since the reference pose, beyond the paper after those that
-/// bring its limbs into that pose (posecorrection.h); its way is the template's, scaled, see placement.h.
-/// \param clip  of the template's mesh, metres; its contacts say when feet stand. \param reference  a pose of
-/// the template, at best one that the target's is like. \param target  in its own pose. \throws Error as
-/// checkPairs and SolidTarget, TransferTriangleFlat (one of the target has no area), Cancelled, and what
-/// reading frames throws. \return the same for any number of threads. Cost: see TransferSolver; frames in
-/// parallel.
+/// bring its limbs into that pose (posecorrection.h) and with the skin's stretches (stretchtracker.h); its
+/// way is the template's, scaled, see placement.h. \param clip  of the template's mesh, metres; its contacts
+/// say when feet stand. \param reference  a pose of the template, at best one that the target's is like.
+/// \param target  in its own pose. \throws Error as checkPairs and SolidTarget, TransferTriangleFlat (one of
+/// the target has no area), Cancelled, and what reading frames throws. \return the same for any number of
+/// threads. Cost: see TransferSolver; frames in parallel.
 Transferred transferClip(const MeshSequence& clip, const PosedMesh& reference, const PosedMesh& target,
                          std::span<const TrianglePair> pairs, const TransferSettings& settings = {},
                          const Progress& progress = {});

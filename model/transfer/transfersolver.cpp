@@ -49,12 +49,18 @@ TransferSolver::TransferSolver(std::shared_ptr<const TransferTarget> target,
 {
 }
 
-void TransferSolver::pose(const MarkRotations& rotations, MutablePositions out, Scratch& scratch) const
+void TransferSolver::pose(const MarkDeformations& deformations, MutablePositions out, Scratch& scratch) const
 {
     const SolidTarget& surface = m_target->surface();
-    m_field.solve(rotations.marks, rotations.root, scratch.field);
-    scratch.edges.resize(m_target->edges().size());
-    m_field.turn(rotations.marks, scratch.field, m_target->edges(), scratch.edges);
+    std::span<const TriangleEdges> rest = m_target->edges();
+    scratch.edges.resize(rest.size());
+    if (!deformations.stretches.empty()) {
+        scratch.stretched.resize(rest.size());
+        m_field.stretch(deformations.stretches, scratch.field, rest, scratch.stretched);
+        rest = scratch.stretched;
+    }
+    m_field.solve(deformations.rotations, deformations.root, scratch.field);
+    m_field.turn(deformations.rotations, scratch.field, rest, scratch.edges);
     m_target->poisson().solve(scratch.edges, scratch.solution);
     place(scratch);
     for (std::size_t v = 0; v < out.size(); ++v)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/transfer/deformationfield.h"
 #include "model/transfer/marktracker.h"
-#include "model/transfer/rotationfield.h"
 #include "model/transfer/solidtarget.h"
 
 #include <memory>
@@ -38,9 +38,10 @@ private:
     std::vector<TriangleEdges> m_edges;
 };
 
-/// Poses a target as the marked triangles of a template are turned (SCANS §4): a field of rotations from
-/// those of the marks, then the surface whose triangles come nearest to the turned ones, by one
-/// back-substitution each. Immutable; safe from any thread, each with its own scratch.
+/// Poses a target as the marked triangles of a template are deformed (SCANS §4): a field of rotations from
+/// those of the marks, two of stretches where these are given, then the surface whose triangles come nearest
+/// to the deformed ones, by one back-substitution each. Immutable; safe from any thread, each with its own
+/// scratch.
 class TransferSolver
 {
 public:
@@ -55,13 +56,14 @@ public:
     {
         std::vector<double> field;
         std::vector<double> solution;
+        std::vector<TriangleEdges> stretched;
         std::vector<TriangleEdges> edges;
         std::vector<Vec3f> surface;
     };
 
     /// \param out  all vertices of the target's mesh, metres, placed so that the middle of its marked
     /// triangles is at the origin.
-    void pose(const MarkRotations& rotations, MutablePositions out, Scratch& scratch) const;
+    void pose(const MarkDeformations& deformations, MutablePositions out, Scratch& scratch) const;
 
 private:
     void place(Scratch& scratch) const;
@@ -69,7 +71,7 @@ private:
 
     std::shared_ptr<const TransferTarget> m_target;
     std::vector<std::size_t> m_marks; ///< triangles of the surface
-    RotationField m_field;
+    DeformationField m_field;
 };
 
 } // namespace quadrille

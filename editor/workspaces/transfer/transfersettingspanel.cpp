@@ -40,6 +40,7 @@ TransferSettingsPanel::TransferSettingsPanel(CurrentTransfer& transfer, QWidget*
                          .field = "transferPanelField",
                          .scale = "transferPanelScale",
                          .poses = "transferPanelPoses",
+                         .stretch = "transferPanelStretch",
                          .contacts = "transferPanelContacts",
                          .truth = "transferPanelTruth"},
                         [&context]() -> const Project& { return context.document.project(); });

@@ -33,6 +33,10 @@ void describe(Fields& f, Type<TransferEntry>)
     f.field("pose_correction", &E::correctsPose,
             {.help = "Limbs that the target holds otherwise than the template does in the reference pose are "
                      "brought there first: the arms of a scan in A- or T-pose. Else the difference stays."});
+    f.field("stretch", &E::carriesStretch,
+            {.help =
+                 "How the template's skin stretches and is pressed together about each pair is carried as "
+                 "well, so that bends keep more of their volume. Else rotations only, as published."});
     f.field("contact_correction", &E::correctsContacts,
             {.help = "Feet that stand in the clip stand still in the result as well."});
     f.as(Role::Clip, "truth", &E::truth,

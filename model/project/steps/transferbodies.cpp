@@ -127,7 +127,11 @@ PosedMesh TransferBodies::anyPose() const
 
 TransferSettings TransferBodies::settings() const
 {
-    return {.field = m_entry.field, .up = m_up, .correctsPose = m_entry.correctsPose, .scale = m_entry.scale};
+    return {.field = m_entry.field,
+            .up = m_up,
+            .correctsPose = m_entry.correctsPose,
+            .carriesStretch = m_entry.carriesStretch,
+            .scale = m_entry.scale};
 }
 
 std::vector<ProposedPair> TransferBodies::pairs(const Tell& tell, const Progress& progress) const

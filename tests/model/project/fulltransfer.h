@@ -18,6 +18,7 @@ inline TransferEntry fullTransfer()
     entry.field = FieldKind::Logarithms;
     entry.scale = 0.9;
     entry.correctsPose = false;
+    entry.carriesStretch = false;
     entry.correctsContacts = false;
     entry.truth = "sequences/softly";
     return entry;

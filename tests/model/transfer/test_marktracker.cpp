@@ -32,8 +32,8 @@ TEST(MarkTracker, TellsRotationsSinceTheReference)
     const std::vector<TriangleIndex> marks = everyTriangle(*bar.topology, 5);
     MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
     const Eigen::Quaterniond expected(Eigen::AngleAxisd(0.7, Vec3d(1, 2, 3).normalized()));
-    const MarkRotations now = tracker.next(turnedBar(bar, 0.7));
-    for (const Eigen::Quaterniond& q : now.marks)
+    const MarkDeformations now = tracker.next(turnedBar(bar, 0.7));
+    for (const Eigen::Quaterniond& q : now.rotations)
         EXPECT_LT(q.angularDistance(expected), 1e-6);
     EXPECT_LT(now.root.angularDistance(expected), 1e-6);
 }
@@ -43,12 +43,12 @@ TEST(MarkTracker, KeepsSignsThroughFullTurnsOfTheBody)
     const Bar bar = makeBar(5, 2, 1.0F, 0.3F);
     const std::vector<TriangleIndex> marks = everyTriangle(*bar.topology, 5);
     MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
-    MarkRotations before = tracker.next(bar.positions);
+    MarkDeformations before = tracker.next(bar.positions);
     for (int step = 1; step <= 80; ++step) {
-        const MarkRotations now = tracker.next(turnedBar(bar, step * 10 * degree));
+        const MarkDeformations now = tracker.next(turnedBar(bar, step * 10 * degree));
         for (std::size_t m = 0; m < marks.size(); ++m) {
-            EXPECT_GT(now.marks[m].dot(before.marks[m]), 0.99) << step;
-            EXPECT_GT(now.marks[m].dot(now.root), 0.99) << step;
+            EXPECT_GT(now.rotations[m].dot(before.rotations[m]), 0.99) << step;
+            EXPECT_GT(now.rotations[m].dot(now.root), 0.99) << step;
         }
         before = now;
     }
@@ -62,9 +62,9 @@ TEST(MarkTracker, FirstSignsGoTogetherWhereNeighboursTurnAlike)
     for (std::size_t ring = 0; ring < 28; ++ring)
         marks.emplace_back(16 * ring);
     MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
-    const MarkRotations now = tracker.next(twisted(bar, 280 * degree));
+    const MarkDeformations now = tracker.next(twisted(bar, 280 * degree));
     for (std::size_t m = 1; m < marks.size(); ++m)
-        EXPECT_GT(now.marks[m].dot(now.marks[m - 1]), 0.9) << m;
+        EXPECT_GT(now.rotations[m].dot(now.rotations[m - 1]), 0.9) << m;
 }
 
 TEST(MarkTracker, TrianglesWithoutAnAreaTurnWithTheBody)
@@ -74,7 +74,7 @@ TEST(MarkTracker, TrianglesWithoutAnAreaTurnWithTheBody)
     bar.positions[flat[0].value] = bar.positions[flat[1].value];
     const std::vector<TriangleIndex> marks{TriangleIndex(3), TriangleIndex(10), TriangleIndex(50)};
     MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
-    const MarkRotations now = tracker.next(turnedBar(bar, 0.7));
-    EXPECT_LT(now.marks[1].angularDistance(now.marks[0]), 1e-5);
-    EXPECT_GT(now.marks[1].dot(now.marks[2]), 0);
+    const MarkDeformations now = tracker.next(turnedBar(bar, 0.7));
+    EXPECT_LT(now.rotations[1].angularDistance(now.rotations[0]), 1e-5);
+    EXPECT_GT(now.rotations[1].dot(now.rotations[2]), 0);
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/bounds.h"
 #include "model/core/error.h"
 #include "model/transfer/livetransfer.h"
 #include "tests/model/codeof.h"
@@ -77,6 +78,23 @@ TEST_F(TransferClip, OntoItselfStaysNear)
         EXPECT_NEAR(result.volume[f], 1, 0.03);
         EXPECT_LT(result.markErrors[f], 3 * degree);
     }
+}
+
+/// The template becomes longer and thinner; so does a target that lies across.
+TEST_F(TransferClip, CarriesStretchInTheTargetsOwnDirections)
+{
+    std::vector<Vec3f> pose =
+        moved(m_bar.positions, [](const Vec3d& p) -> Vec3d { return p.cwiseProduct(Vec3d(1.2, 0.9, 0.9)); });
+    m_clip = makeSequence("longer", m_bar.topology,
+                          std::make_shared<MemoryFrames>(std::move(pose), m_bar.topology->vertexCount()), 25);
+    m_target.positions = moved(m_target.positions, [](const Vec3d& p) -> Vec3d {
+        return Eigen::AngleAxisd(2.5, Vec3d::UnitY()) * p;
+    });
+    const Vec3d carried = boundsOf(frameOf(transfer(), 0)).size();
+    const Vec3d turnedOnly = boundsOf(frameOf(transfer({.carriesStretch = false}), 0)).size();
+    EXPECT_LT((turnedOnly - Vec3d(1.5, 0.24, 0.24)).norm(), 0.02);
+    EXPECT_NEAR(carried.x(), 1.2 * turnedOnly.x(), 0.05);
+    EXPECT_LT(carried.y(), 0.97 * turnedOnly.y());
 }
 
 TEST_F(TransferClip, TurnsTheTargetAsTheTemplate)

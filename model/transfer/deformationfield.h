@@ -4,6 +4,7 @@
 
 #include "model/transfer/harmonicfield.h"
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <span>
 #include <vector>
@@ -19,12 +20,13 @@ enum class FieldKind
     Logarithms,
 };
 
-/// The rotations of all triangles of a target from those of marked ones. Immutable; safe from any thread.
-class RotationField
+/// The rotations of all triangles of a target from those of marked ones, and how they are stretched.
+/// Immutable; safe from any thread.
+class DeformationField
 {
 public:
     /// \param system  must outlive the field. \param marks  as for HarmonicField.
-    RotationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind);
+    DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind);
 
     /// The rotations at the vertices.
     /// \param marks  those of the marked triangles, unit quaternions whose signs go together, see
@@ -32,8 +34,13 @@ public:
     /// × 4: quaternions w, x, y, z of any length, in the order of HarmonicSystem::rowOf.
     void solve(std::span<const Eigen::Quaterniond> marks, const Eigen::Quaterniond& root,
                std::vector<double>& x) const;
+    /// The edges of all triangles, stretched by the mean of what harmonic fields make of the marks' stretches
+    /// at their corners. \param marks  symmetric matrices in the axes of the pose at rest. \param x  memory.
+    /// \param rest  the edges at rest.
+    void stretch(std::span<const Eigen::Matrix3d> marks, std::vector<double>& x,
+                 std::span<const TriangleEdges> rest, std::span<TriangleEdges> stretched) const;
     /// The edges of all triangles, turned: by the mean of the rotations at their corners, marked ones by
-    /// their own. \param x  as `solve` left it. \param rest  the edges at rest.
+    /// their own. \param x  as `solve` left it. \param rest  the edges before.
     void turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
               std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const;
 

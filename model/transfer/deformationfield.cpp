@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/transfer/rotationfield.h"
+#include "model/transfer/deformationfield.h"
 
 #include "model/core/simd.h"
 
@@ -66,15 +66,45 @@ QUADRILLE_SIMD_CLONES void turnTriangles(std::size_t count, const std::array<int
     }
 }
 
+/// Adds what three of the six numbers of symmetric matrices make of the edges: the diagonal, or what is off
+/// it (yz, xz, xy).
+template <bool diagonal>
+void stretchTriangles(std::size_t count, const std::array<int, 3>* rows, const double* x,
+                      const TriangleEdges* rest, TriangleEdges* stretched)
+{
+    for (std::size_t t = 0; t < count; ++t) {
+        const double* const a = x + HarmonicField::lanes * static_cast<std::size_t>(rows[t][0]);
+        const double* const b = x + HarmonicField::lanes * static_cast<std::size_t>(rows[t][1]);
+        const double* const c = x + HarmonicField::lanes * static_cast<std::size_t>(rows[t][2]);
+        std::array<double, 3> s{};
+        for (std::size_t i = 0; i < 3; ++i)
+            s[i] = (a[i] + b[i] + c[i]) / 3;
+        for (const auto edge : {&TriangleEdges::first, &TriangleEdges::second}) {
+            const double* const e = (rest[t].*edge).data();
+            double* const out = (stretched[t].*edge).data();
+            if constexpr (diagonal) {
+                for (std::size_t i = 0; i < 3; ++i)
+                    out[i] = s[i] * e[i];
+                out[3] = 0;
+            } else {
+                out[0] += s[2] * e[1] + s[1] * e[2];
+                out[1] += s[2] * e[0] + s[0] * e[2];
+                out[2] += s[1] * e[0] + s[0] * e[1];
+            }
+        }
+    }
+}
+
 } // namespace
 
-RotationField::RotationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind)
+DeformationField::DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks,
+                                   FieldKind kind)
     : m_system(&system), m_marks(std::move(marks)), m_kind(kind), m_field(system, m_marks)
 {
 }
 
-void RotationField::solve(std::span<const Eigen::Quaterniond> marks, const Eigen::Quaterniond& root,
-                          std::vector<double>& x) const
+void DeformationField::solve(std::span<const Eigen::Quaterniond> marks, const Eigen::Quaterniond& root,
+                             std::vector<double>& x) const
 {
     std::vector<HarmonicField::Value> values;
     values.reserve(marks.size());
@@ -87,8 +117,25 @@ void RotationField::solve(std::span<const Eigen::Quaterniond> marks, const Eigen
         exponentiate(root, x);
 }
 
-void RotationField::turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
-                         std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const
+void DeformationField::stretch(std::span<const Eigen::Matrix3d> marks, std::vector<double>& x,
+                               std::span<const TriangleEdges> rest, std::span<TriangleEdges> stretched) const
+{
+    std::vector<HarmonicField::Value> values;
+    values.reserve(marks.size());
+    for (const Eigen::Matrix3d& s : marks)
+        values.push_back({s(0, 0), s(1, 1), s(2, 2), 0});
+    m_field.solve(values, x);
+    stretchTriangles<true>(rest.size(), m_system->triangleRows().data(), x.data(), rest.data(),
+                           stretched.data());
+    for (std::size_t m = 0; m < marks.size(); ++m)
+        values[m] = {marks[m](1, 2), marks[m](0, 2), marks[m](0, 1), 0};
+    m_field.solve(values, x);
+    stretchTriangles<false>(rest.size(), m_system->triangleRows().data(), x.data(), rest.data(),
+                            stretched.data());
+}
+
+void DeformationField::turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
+                            std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const
 {
     turnTriangles(rest.size(), m_system->triangleRows().data(), x.data(), rest.data(), turned.data());
     for (std::size_t m = 0; m < m_marks.size(); ++m) {
