@@ -28,13 +28,13 @@ struct ContactOptions
 /// Finds when the feet stand: heights and speeds of the lowest vertices.
 ///
 /// The legs are the connected pieces of the surface below knee height in the frame where the figure stands
-/// tallest; a foot is the lowest part of a leg. Two feet are told apart by where their toes point from the
-/// ankles. The ground is where the lowest vertices rest in a good share of the frames; each foot has its own
-/// level within 3 cm of a grown-up's size, as captured soles rarely lie at one. Nothing depends on where the
-/// figure stands or how it is turned about the up axis. \return spans in order of their first frames, named
-/// "left" and "right", or "foot 1", "foot 2", … where there are not two feet; empty when there are fewer than
-/// two frames or nothing like feet. \throws Error BadArgument (a limit that is not positive, or a loose one
-/// below its strict one), Cancelled, and what reading frames throws.
+/// tallest on more than one of them; a foot is the lowest part of a leg. Two feet are told apart by where
+/// their toes point from the ankles. The ground is where the lowest vertices rest in a good share of the
+/// frames; each foot has its own level within 3 cm of a grown-up's size, as captured soles rarely lie at one.
+/// Nothing depends on where the figure stands or how it is turned about the up axis. \return spans in order
+/// of their first frames, named "left" and "right", or "foot 1", "foot 2", … where there are not two feet;
+/// empty when there are fewer than two frames or nothing like feet. \throws Error BadArgument (a limit that
+/// is not positive, or a loose one below its strict one), Cancelled, and what reading frames throws.
 std::vector<ContactSpan> detectContacts(const MeshSequence& sequence, const ContactOptions& options = {},
                                         const Progress& progress = {});
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -39,20 +40,23 @@ float groundLevel(const UprightFrames& frames)
     return levels[levels.size() / 5];
 }
 
-/// The frame in which the figure is tallest: upright, with its feet below it.
-std::size_t tallestFrame(const UprightFrames& frames, float ground)
+/// The frames in which the figure is upright, with its feet below it: those in which it is nearly as tall as
+/// it gets, the tallest first.
+std::vector<std::size_t> tallFrames(const UprightFrames& frames, float ground)
 {
-    std::size_t best = 0;
-    float tallest = -std::numeric_limits<float>::max();
+    constexpr float nearlyAsTall = 0.95F;
+    std::vector<std::pair<float, std::size_t>> heights;
     for (std::size_t f = 0; f < frames.count(); ++f) {
         const float low = lowest(frames.at(f));
-        const float height = highest(frames.at(f)) - low - 2 * std::abs(low - ground);
-        if (height > tallest) {
-            tallest = height;
-            best = f;
-        }
+        heights.emplace_back(highest(frames.at(f)) - low - 2 * std::abs(low - ground), f);
     }
-    return best;
+    std::ranges::stable_sort(heights, std::greater(), &std::pair<float, std::size_t>::first);
+    std::vector<std::size_t> tall;
+    for (const auto& [height, frame] : heights) {
+        if (tall.empty() || height >= nearlyAsTall * heights.front().first)
+            tall.push_back(frame);
+    }
+    return tall;
 }
 
 /// Vertices of the shanks up to a height along the mesh: grows from the lowest vertex over edges.
@@ -123,7 +127,7 @@ bool isLeftFirst(const UprightFrames& frames, const std::vector<Foot>& feet, flo
     return leftness > 0;
 }
 
-/// The feet, in the frame in which the figure is tallest; nothing when it stands on one piece.
+/// The feet, in a frame in which the figure stands upright; nothing when it stands on one piece.
 std::vector<Foot> findFeet(const Topology& topology, const UprightFrames& frames, Positions tallest,
                            float bodyHeight, double share)
 {
@@ -194,11 +198,20 @@ Figure findFigure(const Topology& topology, const UprightFrames& frames, double 
     if (frames.count() == 0)
         return figure;
     figure.ground = groundLevel(frames);
-    figure.tallest = tallestFrame(frames, figure.ground);
-    const Positions tallest = frames.at(figure.tallest);
-    figure.height = highest(tallest) - lowest(tallest);
-    if (figure.height > 0)
-        figure.feet = findFeet(topology, frames, tallest, figure.height, footShare);
+    const std::vector<std::size_t> tall = tallFrames(frames, figure.ground);
+    // Where it is tallest it may stand on one leg: in the middle of a step, or of a kick.
+    constexpr std::size_t mostTried = 30;
+    const std::size_t step = (tall.size() + mostTried - 1) / mostTried;
+    for (std::size_t i = 0; i < tall.size() && figure.feet.empty(); i += step) {
+        const Positions pose = frames.at(tall[i]);
+        const float height = highest(pose) - lowest(pose);
+        if (height > 0)
+            figure.feet = findFeet(topology, frames, pose, height, footShare);
+        if (i == 0 || !figure.feet.empty()) {
+            figure.tallest = tall[i];
+            figure.height = height;
+        }
+    }
     return figure;
 }
 

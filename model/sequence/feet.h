@@ -39,7 +39,7 @@ struct Figure
 {
     float ground = 0;        ///< height of most frames' lowest points, metres
     float height = 0;        ///< metres
-    std::size_t tallest = 0; ///< the frame in which the figure stands tallest
+    std::size_t tallest = 0; ///< the frame in which the figure stands tallest on more than one leg
     std::vector<Foot> feet;  ///< empty where it stands on one piece
 };
 

@@ -36,23 +36,6 @@ double heightOf(Positions pose, Eigen::Index up)
     return static_cast<double>((*high)[up] - (*low)[up]);
 }
 
-/// The mean way of the vertices that are lowest in both of two poses.
-std::optional<Vec3d> wayOfSoles(Positions before, Positions after, Eigen::Index up, double reach)
-{
-    const double limitBefore = lowestOf(before, up) + reach;
-    const double limitAfter = lowestOf(after, up) + reach;
-    Vec3d sum = Vec3d::Zero();
-    int count = 0;
-    for (std::size_t v = 0; v < before.size(); ++v) {
-        if (static_cast<double>(before[v][up]) > limitBefore ||
-            static_cast<double>(after[v][up]) > limitAfter)
-            continue;
-        sum += (after[v] - before[v]).cast<double>();
-        ++count;
-    }
-    return count > 0 ? std::optional<Vec3d>(sum / count) : std::nullopt;
-}
-
 } // namespace
 
 double groundOf(const TemplateCourse& course)
@@ -80,22 +63,39 @@ std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, 
     return stands;
 }
 
+std::optional<Vec3d> wayOfSoles(Positions before, Positions after, UpAxis up)
+{
+    const auto upward = static_cast<Eigen::Index>(up);
+    const double reach = soleHeight * heightOf(before, upward);
+    const double limitBefore = lowestOf(before, upward) + reach;
+    const double limitAfter = lowestOf(after, upward) + reach;
+    Vec3d sum = Vec3d::Zero();
+    int count = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+        if (static_cast<double>(before[v][upward]) > limitBefore ||
+            static_cast<double>(after[v][upward]) > limitAfter)
+            continue;
+        sum += (after[v] - before[v]).cast<double>();
+        ++count;
+    }
+    return count > 0 ? std::optional<Vec3d>(sum / count) : std::nullopt;
+}
+
 double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual)
 {
     const Ground ground(up);
-    const Eigen::Index upward = ground.upAxis();
-    const double height = heightOf(target.at(0), upward);
-    const double reach = soleHeight * height;
+    const double height = heightOf(target.at(0), ground.upAxis());
     double product = 0;
     double square = 0;
     double way = 0;
     for (std::size_t f = 0; f + 1 < target.count(); ++f) {
         if (course.stands[f] == 0 || course.stands[f + 1] == 0)
             continue;
-        const auto soles = wayOfSoles(target.at(f), target.at(f + 1), upward, reach);
+        const auto soles = wayOfSoles(target.at(f), target.at(f + 1), up);
         if (!soles)
             continue;
-        const Vec2d root = ground.of(course.middles[f + 1] - course.middles[f]);
+        const Vec3d slide = course.slides.empty() ? Vec3d::Zero() : course.slides[f];
+        const Vec2d root = ground.of(course.middles[f + 1] - course.middles[f] - slide);
         product -= root.dot(ground.of(*soles));
         square += root.squaredNorm();
         way += root.norm();

@@ -7,6 +7,7 @@
 #include "model/sequence/meshsequence.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct TemplateCourse
     std::vector<Vec3d> middles;       ///< of its marked triangles, in each frame
     std::vector<double> lowest;       ///< height of its lowest vertex, in each frame
     std::vector<std::uint8_t> stands; ///< 1 where a foot stands, by its contacts
+    /// By how much what is lowest of it slides until the next frame; empty where it does not.
+    std::vector<Vec3d> slides;
     double fps = 25;
     double ground = 0; ///< height at which feet rest, see groundOf
 };
@@ -38,11 +41,15 @@ struct PosedTarget
 /// In which frames a foot stands, by the contacts of a sequence: 1, else 0.
 std::vector<std::uint8_t> standingFrames(std::span<const ContactSpan> contacts, std::int64_t frames);
 
+/// The mean way of the vertices that are lowest in both of two poses, up to 1.5 % of the height above the
+/// lowest one; nothing where no vertex is.
+std::optional<Vec3d> wayOfSoles(Positions before, Positions after, UpAxis up);
+
 /// By how much the way of a template must be scaled so that a target's feet stand still where the template's
-/// do: least squares over the horizontal motion of what of the target is lowest from one standing frame to
-/// the next. \param target  posed, the middles of its marks all at one place. \param usual  the ratio of the
-/// bodies' heights; returned where the template hardly moves over the ground while it stands; what is found
-/// is within a quarter of it.
+/// do, or slide as they do: least squares over the horizontal motion of what of the target is lowest from one
+/// standing frame to the next. \param target  posed, the middles of its marks all at one place. \param usual
+/// the ratio of the bodies' heights; returned where the template hardly moves over the ground while it
+/// stands; what is found is within a quarter of it.
 double scaleOfSteps(const TemplateCourse& course, const PosedTarget& target, UpAxis up, double usual);
 
 /// By how much a pose of one frame must be moved: over the ground as the template from where it begins, by a

@@ -69,6 +69,8 @@ void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& referen
     m_course.fps = clip.fps;
     const std::int64_t count = clip.frameCount();
     m_course.stands = standingFrames(clip.contacts, count);
+    m_course.slides.assign(static_cast<std::size_t>(count), Vec3d::Zero());
+    std::vector<Vec3f> before;
     for (FrameIndex f(0); f.value < count; ++f) {
         const Frame frame = clip.frame(f);
         const Positions pose = frame.positions();
@@ -80,6 +82,10 @@ void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& referen
             middle += middleOf(triangle, pose) / static_cast<double>(triangles.size());
         m_course.middles.push_back(middle);
         m_course.lowest.push_back(boundsOf(pose).min[static_cast<Eigen::Index>(settings.up)]);
+        if (f.value > 0)
+            m_course.slides[static_cast<std::size_t>(f.value - 1)] =
+                wayOfSoles(before, pose, settings.up).value_or(Vec3d::Zero());
+        before.assign(pose.begin(), pose.end());
         progress.report(f.value + 1, count);
     }
     m_course.ground = groundOf(m_course);

@@ -290,7 +290,7 @@ BuildStep rootPosesStep(const CharacterInputs& work)
 {
     const UpAxis up = work.opener->project().settings.axes.up;
     BuildStep step = work.step(graphstep::rootPoses);
-    step.version = 5;
+    step.version = 6;
     step.settings = work.settings;
     for (const std::string& name : work.sequences)
         step.settings += contactSettings(*findSequence(work.opener->project(), name));

@@ -81,7 +81,7 @@ BuildStep statisticsStep(const Opener& opener, const SequenceEntry& entry)
     const Project& project = opener->project();
     BuildStep step;
     step.name = "sequences/" + entry.name + "/statistics";
-    step.version = 3;
+    step.version = 4;
     step.dataPrefix = "sequences/" + entry.name;
     step.settings = sequenceSettings(project, entry) + contactSettings(entry);
     step.inputs = clipInputs(project, {entry.name});

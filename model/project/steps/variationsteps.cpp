@@ -83,7 +83,7 @@ private:
     BuildStep alignment() const
     {
         BuildStep made = step(alignmentStepOf(m_name), "variations/" + m_name);
-        made.version = 6;
+        made.version = 7;
         made.settings = m_work->movementSettings();
         made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
         made.inputs = m_work->clipSteps();

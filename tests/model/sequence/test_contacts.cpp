@@ -96,6 +96,28 @@ TEST(Contacts, ofAFootThatIsLiftedEndAndBeginWithIt)
     EXPECT_THAT(detectContacts(stepping()), ::testing::UnorderedElementsAreArray(expected));
 }
 
+TEST(Contacts, areFoundWhereTheFigureIsTallestOnOneLeg)
+{
+    // While the left foot is kicked higher than the other knee, the head is a little higher.
+    const MeshSequence steps = stepping();
+    std::vector<Vec3f> positions = loadFrames(steps);
+    const std::size_t count = steps.topology->vertexCount();
+    for (std::size_t f = 10; f < 20; ++f) {
+        const std::span<Vec3f> pose = std::span(positions).subspan(f * count, count);
+        for (std::size_t v = count / 2; v + 1 < count; ++v)
+            pose[v].y() += 0.3F;
+        for (const std::size_t top : {count / 2 - 1, count - 1})
+            pose[top].y() = 1.73F;
+    }
+    MeshSequence kick = steps;
+    kick.source = std::make_shared<MemoryFrames>(std::move(positions), steps.topology->vertexCount());
+    const std::vector<ContactSpan> found = detectContacts(kick);
+    EXPECT_EQ(framesOf(found, "right", 30), std::vector(30, true));
+    std::vector<bool> left(30, true);
+    std::fill(left.begin() + 10, left.begin() + 20, false);
+    EXPECT_EQ(framesOf(found, "left", 30), left);
+}
+
 TEST(Contacts, followGroundThatDrifts)
 {
     const MeshSequence steps = stepping();

@@ -40,6 +40,15 @@ TEST(Placement, StepsTellTheScale)
     EXPECT_NEAR(scaleOfSteps(straightAhead(30, 0.05), {positions, 2}, UpAxis::Y, 1), 1.1, 1e-5);
 }
 
+/// The template's feet go a fifth of its way while they stand: so may the target's.
+TEST(Placement, FeetMaySlideAsThoseOfTheTemplate)
+{
+    TemplateCourse course = straightAhead(30, 0.05);
+    course.slides.assign(30, Vec3d(0.01, 0, 0));
+    std::vector<Vec3f> positions = walking(30, 0.044F); // 0.011 a frame less than its own way
+    EXPECT_NEAR(scaleOfSteps(course, {positions, 2}, UpAxis::Y, 1), 1.1, 1e-5);
+}
+
 TEST(Placement, ScaleStaysNearThatOfHeights)
 {
     std::vector<Vec3f> positions = walking(30, 0.2F);
