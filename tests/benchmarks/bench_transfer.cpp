@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Poses of a target of about 43,800 triangles by 50 marks on one core, beside deformation transfer (Sumner &
 // Popović 2004), and what is done once: the set-up of a target, and of marks.
+#include "model/transfer/stretchtracker.h"
 #include "model/transfer/transfersolver.h"
 #include "tests/model/transfer/plaindeformationtransfer.h"
 #include "tests/model/transition/bars.h"
@@ -42,10 +43,17 @@ void poseByMarks(benchmark::State& state)
     const Subject& s = subject();
     const TransferSolver solver(s.target, s.marks, static_cast<FieldKind>(state.range(0)));
     MarkTracker tracker(s.marked, s.bar.positions);
+    std::vector<TrianglePair> pairs;
+    for (const TriangleIndex mark : s.marks)
+        pairs.push_back({mark, mark});
+    const StretchTracker stretches({s.bar.topology, s.bar.positions}, pairs);
     TransferSolver::Scratch scratch;
     std::vector<Vec3f> out(s.pose.size());
     for (auto _ : state) {
-        solver.pose(tracker.next(s.pose), out, scratch);
+        MarkDeformations deformations = tracker.next(s.pose);
+        if (state.range(1) != 0)
+            deformations.stretches = stretches.next(s.pose);
+        solver.pose(deformations, out, scratch);
         benchmark::DoNotOptimize(out.data());
     }
     state.counters["triangles"] = static_cast<double>(s.bar.topology->triangles().size());
@@ -76,8 +84,9 @@ void setUpMarks(benchmark::State& state)
 } // namespace
 
 BENCHMARK(poseByMarks)
-    ->Arg(static_cast<int>(FieldKind::Quaternions))
-    ->Arg(static_cast<int>(FieldKind::Logarithms))
+    ->ArgNames({"field", "stretch"})
+    ->ArgsProduct({{static_cast<int>(FieldKind::Quaternions), static_cast<int>(FieldKind::Logarithms)},
+                   {0, 1}})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(poseByDeformationTransfer)->Unit(benchmark::kMillisecond);
 BENCHMARK(setUpTarget)->Unit(benchmark::kMillisecond);
