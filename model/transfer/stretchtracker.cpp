@@ -22,10 +22,8 @@ constexpr double mostStretch = std::numbers::ln2;
 
 double areaOf(const Triangle& t, Positions pose)
 {
-    const Vec3f third = pose[t[2].value];
-    const Vec3f first = pose[t[0].value] - third;
-    const Vec3f second = pose[t[1].value] - third;
-    return 0.5 * first.cast<double>().cross(second.cast<double>()).norm();
+    const auto corner = [&](std::size_t c) -> Vec3d { return pose[t[c].value].cast<double>(); };
+    return 0.5 * (corner(0) - corner(2)).cross(corner(1) - corner(2)).norm();
 }
 
 /// The template's surface, and which of its triangles are near a mark.

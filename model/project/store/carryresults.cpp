@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/store/carryresults.h"
 
+#include "model/core/error.h"
 #include "model/core/file.h"
+#include "model/project/document/paths.h"
+#include "model/project/store/resultfile.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 
@@ -12,6 +15,8 @@
 #include <functional>
 #include <linux/fs.h>
 #include <map>
+#include <optional>
+#include <set>
 #include <sys/ioctl.h>
 #include <system_error>
 #include <unistd.h>
@@ -28,16 +33,31 @@ using Give = std::function<bool(const fs::path& from, const fs::path& to)>;
 /// Files by their path inside the folder of results: the newest of all places.
 using ResultFiles = std::map<fs::path, fs::path>;
 
+/// Steps that write files of their own among the results have them in folders of this name.
+constexpr const char* ownFiles = "files";
+
+/// The folder of the step whose file it is; empty for results.
+fs::path ownerOf(const fs::path& name)
+{
+    fs::path owner;
+    for (const fs::path& part : name.parent_path()) {
+        if (part == ownFiles)
+            return owner;
+        owner /= part;
+    }
+    return {};
+}
+
 void addFiles(const fs::path& folder, ResultFiles& files)
 {
     std::error_code error;
     for (auto entry = fs::recursive_directory_iterator(folder, error);
          !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
         std::error_code missing;
-        if (!entry->is_regular_file(missing) || entry->path().extension() != ".h5" ||
-            entry->path().stem() == "contact-sheet")
-            continue;
         const fs::path name = entry->path().lexically_relative(folder);
+        const bool isResult = name.extension() == ".h5" && name.stem() != "contact-sheet";
+        if (!entry->is_regular_file(missing) || (!isResult && ownerOf(name).empty()))
+            continue;
         const auto known = files.find(name);
         if (known == files.end() ||
             fs::last_write_time(known->second, missing) < entry->last_write_time(missing))
@@ -117,6 +137,59 @@ private:
     fs::path m_folder;
 };
 
+/// A path that leads to one of the results of a project: where it is among those of another.
+std::optional<std::string> givenPath(const std::string& path, const fs::path& fromProject,
+                                     const fs::path& toProject)
+{
+    const fs::path file = fs::absolute(resolvePath(path, fromProject.parent_path())).lexically_normal();
+    const ResultPlaces places = resultPlaces(fromProject);
+    std::vector<fs::path> folders = places.others;
+    folders.push_back(places.written);
+    for (const fs::path& folder : folders) {
+        const fs::path name = file.lexically_relative(fs::absolute(folder).lexically_normal());
+        if (!name.empty() && *name.begin() != "..")
+            return storedPath(fs::absolute(cacheFolder(toProject) / name),
+                              fs::absolute(toProject).parent_path());
+    }
+    return std::nullopt;
+}
+
+/// A result names its own files where these are now.
+void renameFilesOf(const fs::path& result, const fs::path& fromProject, const fs::path& toProject)
+{
+    std::vector<WrittenFile> files = readWrittenFiles(result);
+    bool isOther = false;
+    for (WrittenFile& written : files) {
+        if (const auto path = givenPath(written.path, fromProject, toProject)) {
+            written.path = *path;
+            isOther = true;
+        }
+    }
+    if (!isOther)
+        return;
+    Result content = readResultFile(result);
+    content.files = std::move(files);
+    writeResultFile(result, readResultHeader(result), content);
+}
+
+void renameOwnFiles(const ResultFiles& given, const fs::path& fromProject, const fs::path& toProject,
+                    const fs::path& folder)
+{
+    std::set<fs::path> owners;
+    for (const auto& [name, file] : given)
+        owners.insert(ownerOf(name));
+    for (const auto& [name, file] : given) {
+        if (name.parent_path().empty() || !owners.contains(name.parent_path()) || !ownerOf(name).empty())
+            continue;
+        try {
+            renameFilesOf(folder / name, fromProject, toProject);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::ResultDamaged) // it is computed anew
+                throw;
+        }
+    }
+}
+
 bool give(const fs::path& fromProject, const fs::path& toProject, const Give& giveFile,
           const Progress& progress)
 {
@@ -134,6 +207,7 @@ bool give(const fs::path& fromProject, const fs::path& toProject, const Give& gi
         if (!giveFile(file, to) && fs::exists(file, error))
             return false;
     }
+    renameOwnFiles(files, fromProject, toProject, staging.folder());
     writeUnstoredResults(fromProject, staging.folder());
     staging.commit();
     progress.report(1);

@@ -9,9 +9,9 @@
 namespace quadrille {
 
 // A project that is saved under another name has the same results: they are given to it, so that nothing is
-// computed again. They are there all at once or not at all; of a step that both have, the one that is given
-// stays. Contents that belong to the folder of the project only (where media were, contact sheets) are not
-// given.
+// computed again, with the files that steps wrote among them. They are there all at once or not at all; of a
+// step that both have, the one that is given stays. Contents that belong to the folder of the project only
+// (where media were, contact sheets) are not given.
 
 /// Gives results by links, at once: the two files share their bytes until one of them is written anew.
 /// \return false where the file system has no links, or the two lie on different ones: nothing is given then.

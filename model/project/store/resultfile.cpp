@@ -183,6 +183,17 @@ Result readResultFile(const fs::path& path)
     });
 }
 
+std::vector<WrittenFile> readWrittenFiles(const fs::path& path)
+{
+    return readDamageable(path, [](const Hdf5Handle& file, std::uint64_t size) {
+        for (const auto& member : hdf5data::members(file.id())) {
+            if (member.isGroup && member.name == filesGroup)
+                return filesOf(readTable(file.id(), member.name, size));
+        }
+        return std::vector<WrittenFile>();
+    });
+}
+
 ResultHeader readResultHeader(const fs::path& path)
 {
     return readDamageable(path, [](const Hdf5Handle& file, std::uint64_t) { return headerOf(file); });

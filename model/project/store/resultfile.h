@@ -26,6 +26,8 @@ void writeResultFile(const std::filesystem::path& file, const ResultHeader& head
 
 /// \throws Error FileNotFound, PermissionDenied, ResultDamaged (also when the checksum differs).
 Result readResultFile(const std::filesystem::path& file);
+/// Reads the files that a result names, alone. \throws Error as readResultFile, without the checksum.
+std::vector<WrittenFile> readWrittenFiles(const std::filesystem::path& file);
 /// Reads the header alone.
 /// \throws Error as readResultFile, without the checksum.
 ResultHeader readResultHeader(const std::filesystem::path& file);

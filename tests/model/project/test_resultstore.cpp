@@ -230,18 +230,40 @@ TEST_F(ResultPlacesOf, AProjectAreGivenToItsCopyWhole)
     for (const char* step : {"graph/edges", "animations/a/clip", "contact-sheet"})
         EXPECT_TRUE(store().save(step, "k", fullResult()));
     folder.write("p.quadrille.cache/media.json", "{}");
+    Result withFiles = fullResult();
+    withFiles.files = {{"p.quadrille.cache/appearance/a/files/flows/f.warp", "h"}, {"out/x.obj", "h"}};
+    EXPECT_TRUE(store().save("appearance/a/model", "k", withFiles));
+    folder.write("p.quadrille.cache/appearance/a/files/flows/f.warp", "warp");
     const auto names = [](const std::filesystem::path& place) {
         std::set<std::string> found;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
             found.insert(entry.path().lexically_relative(place).string());
         return found;
     };
-    const std::set<std::string> given{"graph", "graph/edges.h5", "animations", "animations/a",
-                                      "animations/a/clip.h5"};
+    const std::set<std::string> given{"graph",
+                                      "graph/edges.h5",
+                                      "animations",
+                                      "animations/a",
+                                      "animations/a/clip.h5",
+                                      "appearance",
+                                      "appearance/a",
+                                      "appearance/a/model.h5",
+                                      "appearance/a/files",
+                                      "appearance/a/files/flows",
+                                      "appearance/a/files/flows/f.warp"};
     ASSERT_TRUE(linkResults(project, folder / "linked/q.quadrille"));
     EXPECT_EQ(names(folder / "linked/q.quadrille.cache"), given);
     copyResults(project, folder / "copied/q.quadrille");
     EXPECT_EQ(names(folder / "copied/q.quadrille.cache"), given);
+    // Results name their own files where these are now, and others as before.
+    for (const char* copy : {"linked", "copied"}) {
+        const auto model = ResultStore(folder / copy / "q.quadrille.cache").load("appearance/a/model", "k");
+        ASSERT_EQ(model.state, ResultStore::State::Fresh) << copy;
+        EXPECT_EQ(model.result->files[0].path, "q.quadrille.cache/appearance/a/files/flows/f.warp");
+        EXPECT_EQ(model.result->files[1], withFiles.files[1]);
+        EXPECT_EQ(model.result->arrays, withFiles.arrays);
+    }
+    EXPECT_EQ(*store().load("appearance/a/model", "k").result, withFiles);
     // Writing one anew leaves the other as it is.
     EXPECT_TRUE(store().save("graph/edges", "l", Result()));
     for (const char* copy : {"linked/q.quadrille", "copied/q.quadrille"})
