@@ -44,11 +44,11 @@ void requireComparable(const CharacterFrames& character)
 }
 
 /// Looks at every frame once: its centre, and the triangles that have no area in it.
-PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSettings& settings,
+PoseDistanceInputs survey(const CharacterFrames& character, std::span<const PoseDistanceSettings> metrics,
                           const Progress& progress)
 {
     PoseDistanceInputs inputs{.character = character,
-                              .settings = settings,
+                              .metrics = {metrics.begin(), metrics.end()},
                               .centres =
                                   std::vector<Vec3d>(static_cast<std::size_t>(character.frameCount()))};
     const std::span<const Triangle> triangles = character.triangles();
@@ -59,7 +59,8 @@ PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSe
         progress.report(done.load(), std::int64_t{character.frameCount()});
         const Frame frame = character.frame(node);
         inputs.centres[static_cast<std::size_t>(node)] = centroid(frame.positions());
-        markDegenerate(frame.positions(), triangles, marksOfThreads.local());
+        if (!metrics.empty())
+            markDegenerate(frame.positions(), triangles, marksOfThreads.local());
         ++done;
     });
     std::vector<Triangle> used;
@@ -73,13 +74,13 @@ PoseDistanceInputs survey(const CharacterFrames& character, const PoseDistanceSe
     return inputs;
 }
 
-/// Frames along a tile: two runs of frames fit 24 MB, and even a small table gives several cores to do. It
+/// Frames along a tile: two runs of frames fit 48 MB, and even a small table gives several cores to do. It
 /// depends on nothing else, and no value depends on it.
 NodeIndex tileSize(NodeIndex frameCount, std::uint32_t vertexCount)
 {
-    constexpr std::size_t runBytes = std::size_t{12} << 20;
+    constexpr std::size_t runBytes = std::size_t{24} << 20;
     const auto fitting = static_cast<NodeIndex>(
-        std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{256}));
+        std::clamp(runBytes / (sizeof(Vec3f) * std::max(vertexCount, 1U)), std::size_t{8}, std::size_t{512}));
     return std::clamp((frameCount + 9) / 10, std::min(NodeIndex{16}, fitting), fitting);
 }
 
@@ -132,12 +133,14 @@ double alignedTriangleDistance(Positions a, Positions b, const RigidMotion& alig
     return triangleDistance(from, to, stretchWeight);
 }
 
-PoseDistanceInputs checkedInputs(const CharacterFrames& character, const PoseDistanceSettings& settings,
-                                 const Progress& progress)
+PoseDistanceInputs checkedInputs(const CharacterFrames& character,
+                                 std::span<const PoseDistanceSettings> metrics, const Progress& progress)
 {
-    requireValid(settings);
-    PoseDistanceInputs inputs = survey(character, settings, progress);
-    if (settings.metric == PoseMetric::Surface && inputs.triangleCount == 0 && character.frameCount() > 0)
+    std::ranges::for_each(metrics, requireValid);
+    PoseDistanceInputs inputs = survey(character, metrics, progress);
+    const bool isSurface =
+        std::ranges::find(metrics, PoseMetric::Surface, &PoseDistanceSettings::metric) != metrics.end();
+    if (isSurface && inputs.triangleCount == 0 && character.frameCount() > 0)
         throw Error(ErrorCode::NoUsableTriangles);
     return inputs;
 }
@@ -161,23 +164,42 @@ void computeTiles(const PoseDistanceInputs& inputs, const std::vector<PairTile>&
 
 } // namespace
 
-PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
-                            const Progress& progress, const Executor& executor)
+PosePairs posePairs(const CharacterFrames& character, std::span<const PoseDistanceSettings> metrics,
+                    const OfCovariance& ofCovariance, const Progress& progress, const Executor& executor)
 {
     requireComparable(character);
     const NodeIndex frameCount = character.frameCount();
-    PoseDistances result{.layout = character.layout(),
-                         .distances = Table<float>::Zero(frameCount, frameCount)};
-    const PoseDistanceInputs inputs = checkedInputs(character, settings, progress.part(0, 0.02));
-    result.trianglesUsed = inputs.triangleCount;
-    result.trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) - inputs.triangleCount;
+    PoseDistanceInputs inputs = checkedInputs(character, metrics, progress.part(0, 0.02));
+    inputs.ofCovariance = ofCovariance;
+    const PoseDistances empty{.layout = character.layout(),
+                              .distances = {},
+                              .trianglesUsed = inputs.triangleCount,
+                              .trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) -
+                                                  inputs.triangleCount};
+    PosePairs pairs{.distances = std::vector(metrics.size(), empty)};
+    std::vector<Table<float>*> tables;
+    for (PoseDistances& distances : pairs.distances)
+        tables.push_back(&distances.distances);
+    if (ofCovariance)
+        tables.push_back(&pairs.ofCovariances);
+    for (Table<float>* table : tables)
+        table->setZero(frameCount, frameCount);
     computeTiles(
         inputs, pairTiles(frameCount, tileSize(frameCount, character.vertexCount())),
         [&](const PairTile& tile, std::span<const float> values) {
-            storeSymmetric(tile, values, result.distances);
+            const std::size_t count = values.size() / tables.size();
+            for (std::size_t t = 0; t < tables.size(); ++t)
+                storeSymmetric(tile, values.subspan(t * count, count), *tables[t]);
         },
         progress.part(0.02, 1), executor);
-    return result;
+    pairs.centres = std::move(inputs.centres);
+    return pairs;
+}
+
+PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings,
+                            const Progress& progress, const Executor& executor)
+{
+    return std::move(posePairs(character, std::span(&settings, 1), {}, progress, executor).distances.front());
 }
 
 Table<float> poseDistancesOfFirst(const CharacterFrames& character, NodeIndex rows,
@@ -185,7 +207,8 @@ Table<float> poseDistancesOfFirst(const CharacterFrames& character, NodeIndex ro
                                   const Executor& executor)
 {
     const NodeIndex frameCount = character.frameCount();
-    const PoseDistanceInputs inputs = checkedInputs(character, settings, progress.part(0, 0.02));
+    const PoseDistanceInputs inputs =
+        checkedInputs(character, std::span(&settings, 1), progress.part(0, 0.02));
     const NodeIndex size = tileSize(frameCount, character.vertexCount());
     std::vector<PairTile> tiles = pairTiles(rows, size);
     for (NodeIndex row = 0; row < rows; row += size) {

@@ -7,6 +7,9 @@
 #include "model/transition/characterframes.h"
 #include "model/transition/posedistancesettings.h"
 
+#include <Eigen/Core>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace quadrille {
@@ -22,8 +25,29 @@ struct PoseDistances
     std::int64_t trianglesLeftOut = 0;
 };
 
+/// A number of two poses, by the covariance of the one (x) with the other (y), see covariances.
+using OfCovariance = std::function<double(const Eigen::Matrix3d&)>;
+
+/// What one pass over all pairs of frames finds out.
+struct PosePairs
+{
+    std::vector<PoseDistances> distances; ///< by metric
+    /// frames × frames: of the earlier and the later frame, exactly symmetric, zeros on the diagonal; empty
+    /// where nothing of covariances is asked for.
+    Table<float> ofCovariances;
+    std::vector<Vec3d> centres; ///< of every frame, the mean of its vertices
+};
+
+/// Several tables of all pairs of frames at once: poses are aligned once for all of them, which is what costs
+/// most but for the surface distance. The tables are those of passes of their own, to the bit.
+/// \param ofCovariance  asked from several threads; may be empty.
+/// \throws Error, cost: as poseDistances.
+PosePairs posePairs(const CharacterFrames& character, std::span<const PoseDistanceSettings> metrics,
+                    const OfCovariance& ofCovariance = {}, const Progress& progress = {},
+                    const Executor& executor = localExecutor());
+
 /// Distances of all pairs of frames. Memory beside the table and the frames in the media cache does not grow
-/// with the number of frames: at most about 24 MB a core.
+/// with the number of frames: at most about 80 MB a core.
 /// \throws Error BadArgument (weight negative or not finite), NoUsableTriangles (surface metric), what
 /// reading frames throws, Cancelled. Cost: O(frames² · (triangles + vertices)). Source: SMCAS section 3.1;
 /// section 1 of the specification of algorithms.

@@ -38,20 +38,37 @@ std::size_t firstAbove(const PairTile& tile, std::size_t row)
 }
 
 /// The rotations that turn the frames of columns onto those of rows, rows × columns.
-std::vector<RotationF> rotationsOf(const FrameRun& rows, const FrameRun& columns, const PairTile& tile,
+/// \param said  out: what covariances say, rows × columns; may be empty.
+std::vector<RotationF> rotationsOf(const PoseDistanceInputs& inputs, const FrameRun& rows,
+                                   const FrameRun& columns, const PairTile& tile, std::span<float> said,
                                    const Progress& progress)
 {
-    const Eigen::MatrixXd all = covariances(rows.poses, columns.poses, progress.part(0, 0.7));
+    // Covariances of all rows would take more room than the frames.
+    constexpr std::size_t rowsAtOnce = 128;
     std::vector<RotationF> rotations(rows.size() * columns.size());
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        for (std::size_t column = firstAbove(tile, row); column < columns.size(); ++column) {
-            const Eigen::Quaterniond q = rotationOfCovariance(
-                all.block<3, 3>(static_cast<Eigen::Index>(3 * row), static_cast<Eigen::Index>(3 * column)));
-            rotations[row * columns.size() + column] = {static_cast<float>(q.w()), static_cast<float>(q.x()),
-                                                        static_cast<float>(q.y()), static_cast<float>(q.z())};
+    for (std::size_t first = 0; first < rows.size(); first += rowsAtOnce) {
+        const std::size_t count = std::min(rowsAtOnce, rows.size() - first);
+        const Progress own =
+            progress.part(static_cast<double>(first) / static_cast<double>(rows.size()),
+                          static_cast<double>(first + count) / static_cast<double>(rows.size()));
+        const Eigen::MatrixXd all =
+            covariances(std::span(rows.poses).subspan(first, count), columns.poses, own.part(0, 0.7));
+        for (std::size_t r = 0; r < count; ++r) {
+            const std::size_t row = first + r;
+            for (std::size_t column = firstAbove(tile, row); column < columns.size(); ++column) {
+                const Eigen::Matrix3d covariance =
+                    all.block<3, 3>(static_cast<Eigen::Index>(3 * r), static_cast<Eigen::Index>(3 * column));
+                const std::size_t place = row * columns.size() + column;
+                if (!said.empty())
+                    said[place] = static_cast<float>(inputs.ofCovariance(covariance));
+                if (inputs.metrics.empty())
+                    continue;
+                const Eigen::Quaterniond q = rotationOfCovariance(covariance);
+                rotations[place] = {static_cast<float>(q.w()), static_cast<float>(q.x()),
+                                    static_cast<float>(q.y()), static_cast<float>(q.z())};
+            }
+            own.part(0.7, 1).report(static_cast<std::int64_t>(r + 1), static_cast<std::int64_t>(count));
         }
-        progress.part(0.7, 1).report(static_cast<std::int64_t>(row + 1),
-                                     static_cast<std::int64_t>(rows.size()));
     }
     return rotations;
 }
@@ -90,6 +107,34 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
     return sums;
 }
 
+/// \param distances  out: of the pairs of a tile, by one metric.
+void setDistances(const PoseDistanceInputs& inputs, const PoseDistanceSettings& settings,
+                  const FrameRun& rows, const FrameRun& columns, const PairTile& tile,
+                  const std::vector<RotationF>& rotations, const Progress& progress,
+                  std::span<float> distances)
+{
+    std::vector<double> sums;
+    std::size_t count = 0;
+    if (settings.metric == PoseMetric::Surface) {
+        count = static_cast<std::size_t>(inputs.triangleCount);
+        const auto weight = static_cast<float>(settings.stretchWeight);
+        sums = sumSlices<TriangleSlice>(
+            rows, columns, tile, rotations, inputs.corners.size(), progress,
+            [&](const CentredPose& pose, std::size_t slice, TriangleSlice& out) {
+                fillTriangleSlice(pose.positions, inputs.corners[slice], out);
+            },
+            [&](const TriangleSlice& row, const TriangleSlice* others, const RotationF* turns, std::size_t n,
+                double* out) { addSurfaceDistances(row, others, turns, n, weight, out); });
+    } else {
+        count = inputs.character.vertexCount();
+        sums = sumSlices<VertexSlice>(rows, columns, tile, rotations,
+                                      (count + sliceVertices - 1) / sliceVertices, progress, fillVertexSlice,
+                                      addEuclideanDistances);
+    }
+    std::transform(sums.begin(), sums.end(), distances.begin(),
+                   [count](double sum) { return static_cast<float>(sum / static_cast<double>(count)); });
+}
+
 } // namespace
 
 void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out)
@@ -110,31 +155,19 @@ std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const Pair
 {
     const FrameRun rows = loadRun(inputs, tile.firstRow, tile.rows, progress.part(0, 0.03));
     const FrameRun columns = loadRun(inputs, tile.firstColumn, tile.columns, progress.part(0.03, 0.06));
-    const std::vector<RotationF> rotations = rotationsOf(rows, columns, tile, progress.part(0.06, 0.16));
-    const Progress rest = progress.part(0.16, 1);
-    const std::size_t vertexCount = inputs.character.vertexCount();
-    std::vector<double> sums;
-    double count = 0;
-    if (inputs.settings.metric == PoseMetric::Surface) {
-        count = static_cast<double>(inputs.triangleCount);
-        const auto weight = static_cast<float>(inputs.settings.stretchWeight);
-        sums = sumSlices<TriangleSlice>(
-            rows, columns, tile, rotations, inputs.corners.size(), rest,
-            [&](const CentredPose& pose, std::size_t slice, TriangleSlice& out) {
-                fillTriangleSlice(pose.positions, inputs.corners[slice], out);
-            },
-            [&](const TriangleSlice& row, const TriangleSlice* others, const RotationF* turns, std::size_t n,
-                double* out) { addSurfaceDistances(row, others, turns, n, weight, out); });
-    } else {
-        count = static_cast<double>(vertexCount);
-        sums = sumSlices<VertexSlice>(rows, columns, tile, rotations,
-                                      (vertexCount + sliceVertices - 1) / sliceVertices, rest,
-                                      fillVertexSlice, addEuclideanDistances);
+    const std::size_t pairs = rows.size() * columns.size();
+    const std::size_t metrics = inputs.metrics.size();
+    std::vector<float> values(inputs.tables() * pairs);
+    const std::vector<RotationF> rotations =
+        rotationsOf(inputs, rows, columns, tile, std::span(values).subspan(metrics * pairs),
+                    progress.part(0.06, metrics > 0 ? 0.16 : 1));
+    for (std::size_t m = 0; m < metrics; ++m) {
+        const double share = 0.84 / static_cast<double>(metrics);
+        const double begin = 0.16 + share * static_cast<double>(m);
+        setDistances(inputs, inputs.metrics[m], rows, columns, tile, rotations,
+                     progress.part(begin, begin + share), std::span(values).subspan(m * pairs, pairs));
     }
-    std::vector<float> distances(sums.size());
-    std::transform(sums.begin(), sums.end(), distances.begin(),
-                   [count](double sum) { return static_cast<float>(sum / count); });
-    return distances;
+    return values;
 }
 
 } // namespace quadrille

@@ -16,14 +16,18 @@ namespace quadrille {
 struct PoseDistanceInputs
 {
     CharacterFrames character;
-    PoseDistanceSettings settings;
+    std::vector<PoseDistanceSettings> metrics;
+    OfCovariance ofCovariance;        ///< may be empty
     std::vector<Vec3d> centres;       ///< of every frame, the mean of its vertices
     std::vector<CornerSlice> corners; ///< of the triangles to use
     std::int64_t triangleCount = 0;   ///< in `corners`
+
+    std::size_t tables() const { return metrics.size() + (ofCovariance ? 1 : 0); }
 };
 
-/// Distances of the pairs of a tile, rows × columns. Where the frame of the row does not come before that of
-/// the column there is 0: the table is symmetric. \throws Error what reading frames throws, Cancelled.
+/// Distances of the pairs of a tile, rows × columns, of one metric after the other; then what covariances
+/// say. Where the frame of the row does not come before that of the column there is 0: the tables are
+/// symmetric. \throws Error what reading frames throws, Cancelled.
 std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress);
 

@@ -20,6 +20,7 @@
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
+#include <utility>
 
 namespace quadrille {
 
@@ -56,6 +57,7 @@ public:
         , m_waiting(steps.size())
         , m_fractions(steps.size())
         , m_users(steps.size())
+        , m_given(steps.size())
     {
         for (std::size_t i = 0; i < steps.size(); ++i)
             m_byName[steps[i].name] = i;
@@ -174,19 +176,34 @@ private:
         const int jobs = m_options.jobs > 0 ? m_options.jobs : tbb::info::default_concurrency();
         tbb::task_arena arena(jobs);
         for (std::size_t i = 0; i < m_steps.size(); ++i) {
-            m_waiting[i] = m_steps[i].inputs.size();
+            m_waiting[i] += m_steps[i].inputs.size();
             for (const std::string& input : m_steps[i].inputs)
                 m_users[m_byName.at(input)].push_back(i);
-        }
-        arena.execute([this] {
-            for (std::size_t i = 0; i < m_steps.size(); ++i) {
-                if (m_steps[i].inputs.empty())
-                    start(i);
+            for (const std::string& other : m_steps[i].along) {
+                if (m_reports[i].state == StepState::Stale && isStale(other)) {
+                    ++m_waiting[m_byName.at(other)];
+                    m_users[i].push_back(m_byName.at(other));
+                }
             }
+        }
+        std::vector<std::size_t> first; // before any is begun that starts others
+        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+            if (m_waiting[i] == 0)
+                first.push_back(i);
+        }
+        arena.execute([&] {
+            std::ranges::for_each(first, [this](std::size_t i) { start(i); });
             m_tasks.wait();
         });
         // A step that was cancelled is not one that failed.
         m_progress.report(planning);
+    }
+
+    /// \return false where the step is none of those of this rebuild.
+    bool isStale(const std::string& step) const
+    {
+        const auto found = m_byName.find(step);
+        return found != m_byName.end() && m_reports[found->second].state == StepState::Stale;
     }
 
     void start(std::size_t i)
@@ -238,13 +255,19 @@ private:
             context.improved = [this, &report](const Result& result) {
                 m_options.improved(report.step, result);
             };
+        context.isWanted = [this](const std::string& step) { return isStale(step); };
+        context.give = [this](const std::string& step, Result result) {
+            m_given[m_byName.at(step)] = std::make_shared<const Result>(std::move(result));
+        };
         context.tell = [&report](Issue issue) { report.issues.push_back(std::move(issue)); };
         const Progress own(m_progress.token(), [this, i](double fraction) {
             m_fractions[i] = fraction;
             reportOverall();
         });
         try {
-            const auto result = std::make_shared<const Result>(m_steps[i].compute(context, own));
+            const ResultPointer given = std::exchange(m_given[i], nullptr);
+            const ResultPointer result =
+                given ? given : std::make_shared<const Result>(m_steps[i].compute(context, own));
             own.report(1);
             m_session->countComputed(report.step);
             m_session->results()->keep(kindOf(i), report.key, result);
@@ -288,6 +311,7 @@ private:
     std::vector<std::atomic<std::size_t>> m_waiting;
     std::vector<std::atomic<double>> m_fractions;
     std::vector<std::vector<std::size_t>> m_users; ///< steps that use one's result
+    std::vector<ResultPointer> m_given;            ///< by other steps, until they are stored
     std::mutex m_listenerMutex;
     tbb::task_group m_tasks;
 };
@@ -304,17 +328,6 @@ void tryToNoteMedia(const Project& project, const fs::path& projectFile, const P
 }
 
 } // namespace
-
-bool RebuildReport::hasFailures() const
-{
-    return count(StepState::Failed) > 0;
-}
-
-std::size_t RebuildReport::count(StepState state) const
-{
-    return static_cast<std::size_t>(std::count_if(
-        steps.begin(), steps.end(), [state](const StepReport& step) { return step.state == state; }));
-}
 
 RebuildReport rebuild(const std::vector<BuildStep>& steps, const fs::path& projectFile,
                       const RebuildOptions& options, const Progress& progress, const StepListener& listener)
@@ -348,49 +361,6 @@ RebuildReport rebuild(const Project& project, const fs::path& projectFile, const
     if (!options.dryRun)
         tryToNoteMedia(project, projectFile, Progress(progress.token()));
     return report;
-}
-
-std::string toString(StepState state)
-{
-    switch (state) {
-    case StepState::Fresh:
-        return "fresh";
-    case StepState::Stale:
-        return "stale";
-    case StepState::Computed:
-        return "computed";
-    case StepState::Failed:
-        return "failed";
-    case StepState::Skipped:
-        return "skipped";
-    }
-    return {};
-}
-
-Json toJson(const RebuildReport& report)
-{
-    Json json = Json::object();
-    json["stages"] = Json::array();
-    for (const StepReport& step : report.steps) {
-        Json item = Json::object();
-        item["stage"] = step.step;
-        item["state"] = toString(step.state);
-        item["reason"] = step.reason;
-        item["key"] = step.key;
-        item["seconds"] = step.seconds;
-        item["files"] = Json::array();
-        for (const fs::path& file : step.files)
-            item["files"].push_back(file.generic_string());
-        item["issues"] = Json::array();
-        for (const Issue& issue : step.issues)
-            item["issues"].push_back(issue.toString());
-        item["error"] = step.error ? Json(step.error->what()) : Json(nullptr);
-        json["stages"].push_back(std::move(item));
-    }
-    for (const StepState state :
-         {StepState::Computed, StepState::Fresh, StepState::Stale, StepState::Failed, StepState::Skipped})
-        json[toString(state)] = report.count(state);
-    return json;
 }
 
 } // namespace quadrille

@@ -27,6 +27,10 @@ struct StepContext
     /// Takes what may be shown until the result is there: a first part of it, or the best so far. Empty where
     /// nobody waits for such.
     std::function<void(const Result&)> improved = {};
+    /// Whether a step that this one names as `along` is to be computed, too, and takes its result by `give`.
+    /// Empty where nobody takes any.
+    std::function<bool(const std::string& step)> isWanted = {};
+    std::function<void(const std::string& step, Result result)> give = {};
     /// May be null.
     std::shared_ptr<ResultSession> session = nullptr;
 
@@ -85,6 +89,8 @@ struct BuildStep
     std::function<std::uint64_t(const Progress&)> bytes;
     /// Names of the steps whose results it uses.
     std::vector<std::string> inputs;
+    /// Steps with the same inputs whose results this one can make with its own for less: they wait for it.
+    std::vector<std::string> along;
     std::function<Result(const StepContext&, const Progress&)> compute;
 };
 

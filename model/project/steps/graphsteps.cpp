@@ -6,6 +6,7 @@
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/steps/graphtables.h"
+#include "model/project/steps/posesteps.h"
 #include "model/synthesis/clips/stepcosts.h"
 #include "model/synthesis/finishing/footdrift.h"
 #include "model/synthesis/quality/liveliness.h"
@@ -20,59 +21,6 @@
 namespace quadrille {
 
 namespace {
-
-/// What the steps that follow need to know of the frames.
-void addLayout(Result& result, const PoseDistances& distances)
-{
-    std::vector<std::int64_t> lengths;
-    lengths.reserve(static_cast<std::size_t>(distances.layout.sequenceCount()));
-    for (int s = 0; s < distances.layout.sequenceCount(); ++s)
-        lengths.push_back(distances.layout.countOf(s));
-    result.arrays.push_back(columnOf("sequence-lengths", "frame", std::move(lengths)));
-    result.arrays.back().description = "Frames of each sequence, in the order of the project.";
-    result.arrays.push_back(
-        columnOf("triangles", "", std::vector{distances.trianglesUsed, distances.trianglesLeftOut}));
-    result.arrays.back().description = "Triangles used, and those left out because they have no area.";
-}
-
-/// Of so many tables of all pairs of frames.
-auto bytesOfTables(const CharacterInputs& work, double tables)
-{
-    return [work, tables](const Progress& progress) {
-        const double frames = work.open(progress).frameCount();
-        return static_cast<std::uint64_t>(tables * frames * frames * static_cast<double>(sizeof(float)));
-    };
-}
-
-BuildStep distanceStep(const CharacterInputs& work, const std::string& name, PoseDistanceSettings settings)
-{
-    const bool isSurface = settings.metric == PoseMetric::Surface;
-    BuildStep step = work.step(name);
-    step.version = isSurface ? 1 : 2;
-    step.settings =
-        work.settings + nlohmann::json({isSurface ? "surface" : "euclidean", settings.stretchWeight}).dump();
-    step.files = [work](const Progress& progress) { return work.files(progress); };
-    step.inputs = clipInputs(work.opener->project(), work.sequences);
-    if (step.inputs.empty()) // else frames are not known before
-        step.bytes = bytesOfTables(work, 1);
-    const auto metres = static_cast<float>(work.opener->project().settings.axes.metresPerUnit);
-    step.compute = [=](const StepContext&, const Progress& progress) {
-        const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        PoseDistances distances = poseDistances(frames, settings, progress.part(0.05, 1));
-        if (!isSurface)
-            distances.distances *= metres;
-        Result result;
-        result.arrays = {
-            matrixOf(name,
-                     isSurface ? "Surface distance between the poses of all frames, rigid motion removed."
-                               : "Mean distance of the vertices between all frames, rigid motion removed.",
-                     isSurface ? "rad" : "m", distances.distances)};
-        if (name == graphstep::poseDistance)
-            addLayout(result, distances);
-        return result;
-    };
-    return step;
-}
 
 BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances)
 {
@@ -285,29 +233,6 @@ BuildStep livelinessStep(const CharacterInputs& work)
     return step;
 }
 
-/// Where the frames stand and how they are turned, for walks.
-BuildStep rootPosesStep(const CharacterInputs& work)
-{
-    const UpAxis up = work.opener->project().settings.axes.up;
-    BuildStep step = work.step(graphstep::rootPoses);
-    step.version = 6;
-    step.settings = work.settings;
-    for (const std::string& name : work.sequences)
-        step.settings += contactSettings(*findSequence(work.opener->project(), name));
-    step.files = [work](const Progress& progress) { return work.files(progress); };
-    step.inputs = clipInputs(work.opener->project(), work.sequences);
-    step.compute = [work, up](const StepContext&, const Progress& progress) {
-        const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        RootPoses roots = rootPoses(frames, up, progress.part(0.05, 0.8));
-        roots.supports = findSupports(frames, up, progress.part(0.8, 0.9));
-        constexpr std::size_t enough = 48; // vertices that stand
-        thinSupports(roots.supports, enough);
-        roots.stances = findStances(frames, up, progress.part(0.9, 1));
-        return rootPosesResult(roots, unitText(work.opener->project().settings.axes.metresPerUnit));
-    };
-    return step;
-}
-
 } // namespace
 
 std::vector<BuildStep> makeGraphSteps(const StepMaking& making)
@@ -317,11 +242,9 @@ std::vector<BuildStep> makeGraphSteps(const StepMaking& making)
         const CharacterInputs work = characterWork(making.opener, graph);
         if (work.sequences.empty())
             continue;
-        const BuildStep distances = distanceStep(work, graphstep::poseDistance, graph.pose);
-        const BuildStep transitions = transitionStep(work, distances);
-        steps.push_back(distances);
-        steps.push_back(distanceStep(work, graphstep::euclideanDistance, {.metric = PoseMetric::Euclidean}));
-        steps.push_back(rootPosesStep(work));
+        std::vector<BuildStep> poses = poseSteps(work);
+        const BuildStep transitions = transitionStep(work, poses.front());
+        std::ranges::move(poses, std::back_inserter(steps));
         steps.push_back(transitions);
         if (knowsDrifts(graph))
             steps.push_back(driftStep(work));

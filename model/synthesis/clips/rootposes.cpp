@@ -3,10 +3,10 @@
 #include "model/synthesis/clips/rootposes.h"
 
 #include "model/geometry/covariances.h"
-#include "model/transition/pairtiles.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
@@ -22,61 +22,24 @@ double angleOf(const Eigen::Matrix3d& covariance, const Ground& ground)
                       covariance(first, first) + covariance(second, second));
 }
 
-std::vector<float> turnsOf(const CharacterFrames& character, const std::vector<Vec3d>& centres,
-                           const PairTile& tile, const Ground& ground, const Progress& progress)
+} // namespace
+
+OfCovariance turnOf(UpAxis up)
 {
-    std::vector<Frame> frames;
-    const auto load = [&](NodeIndex first, NodeIndex count) {
-        std::vector<CentredPose> poses;
-        for (NodeIndex node = first; node < first + count; ++node) {
-            frames.push_back(character.frame(node));
-            poses.push_back({frames.back().positions(), centres[static_cast<std::size_t>(node)]});
-        }
-        return poses;
-    };
-    const std::vector<CentredPose> rows = load(tile.firstRow, tile.rows);
-    const std::vector<CentredPose> columns = load(tile.firstColumn, tile.columns);
-    const Eigen::MatrixXd all = covariances(rows, columns, progress);
-    std::vector<float> turns;
-    turns.reserve(rows.size() * columns.size());
-    for (Eigen::Index r = 0; r < tile.rows; ++r) {
-        for (Eigen::Index c = 0; c < tile.columns; ++c)
-            turns.push_back(static_cast<float>(angleOf(all.block<3, 3>(3 * r, 3 * c), ground)));
-    }
-    return turns;
+    return [ground = Ground(up)](const Eigen::Matrix3d& covariance) { return angleOf(covariance, ground); };
 }
 
-} // namespace
+RootPoses rootPoses(std::vector<Vec3d> centres, Table<float> turns, UpAxis up)
+{
+    turns.matrix().triangularView<Eigen::StrictlyLower>() *= -1.0F;
+    return {.up = up, .centres = std::move(centres), .turns = std::move(turns)};
+}
 
 RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress& progress,
                     const Executor& executor)
 {
-    const NodeIndex frameCount = character.frameCount();
-    RootPoses roots{.up = up, .turns = Table<float>::Zero(frameCount, frameCount)};
-    roots.centres.reserve(static_cast<std::size_t>(frameCount));
-    for (NodeIndex node = 0; node < frameCount; ++node) {
-        progress.part(0, 0.1).report(std::int64_t{node}, std::int64_t{frameCount});
-        roots.centres.push_back(centroid(character.frame(node).positions()));
-    }
-    constexpr std::size_t runBytes = std::size_t{12} << 20;
-    const auto size =
-        static_cast<NodeIndex>(std::clamp(runBytes / (sizeof(Vec3f) * std::max(character.vertexCount(), 1U)),
-                                          std::size_t{8}, std::size_t{256}));
-    const std::vector<PairTile> tiles = pairTiles(frameCount, size);
-    const auto tileOf = [&tiles](std::int64_t task) -> const PairTile& {
-        return tiles[static_cast<std::size_t>(task)];
-    };
-    executor.run(makeTasks<float>(
-                     static_cast<std::int64_t>(tiles.size()),
-                     [&](std::int64_t task, const Progress& own) {
-                         return turnsOf(character, roots.centres, tileOf(task), Ground(up), own);
-                     },
-                     [&](std::int64_t task, std::span<const float> turns) {
-                         storeSymmetric(tileOf(task), turns, roots.turns);
-                     }),
-                 progress.part(0.1, 1));
-    roots.turns.matrix().triangularView<Eigen::StrictlyLower>() *= -1.0F;
-    return roots;
+    PosePairs pairs = posePairs(character, {}, turnOf(up), progress, executor);
+    return rootPoses(std::move(pairs.centres), std::move(pairs.ofCovariances), up);
 }
 
 std::vector<double> pacesOf(const RootPoses& roots, const FrameLayout& layout, double fps)

@@ -9,6 +9,7 @@
 #include "model/synthesis/clips/stances.h"
 #include "model/synthesis/clips/supports.h"
 #include "model/transition/characterframes.h"
+#include "model/transition/posedistance.h"
 
 #include <vector>
 
@@ -28,8 +29,14 @@ struct RootPoses
     Stances stances;
 };
 
-/// \throws Error what reading frames throws, Cancelled.
-/// Cost: O(frames² · vertices); beside the table at most about 24 MB for each core.
+/// What `turns` holds of a pair of frames, for posePairs.
+OfCovariance turnOf(UpAxis up);
+
+/// Of what posePairs found by turnOf: no supports, no stances.
+RootPoses rootPoses(std::vector<Vec3d> centres, Table<float> turns, UpAxis up);
+
+/// The same by a pass of its own. \throws Error what reading frames throws, Cancelled.
+/// Cost: O(frames² · vertices); memory: as poseDistances.
 RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress& progress = {},
                     const Executor& executor = localExecutor());
 

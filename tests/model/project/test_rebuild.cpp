@@ -106,6 +106,44 @@ TEST_F(Rebuild, ComputesEverythingOnceAndNothingTwice)
     EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 0));
 }
 
+TEST_F(Rebuild, TakesWhatAStepMakesAlongWithItsOwn)
+{
+    std::vector<BuildStep> all = steps.make();
+    BuildStep& leader = all[0];
+    BuildStep& other = all[3];
+    leader.along = {other.name, "none of these"};
+    leader.compute = [compute = leader.compute](const StepContext& context, const Progress& progress) {
+        EXPECT_FALSE(context.isWanted("none of these"));
+        if (context.isWanted("d"))
+            context.give("d", Result{.arrays = {columnOf("words", "", std::vector<std::string>{"given"})}});
+        return compute(context, progress);
+    };
+    const auto runOf = [&](const RebuildOptions& options) {
+        return rebuild(all, folder / "p.quadrille", options, {}, {});
+    };
+    const auto words = [&] { return std::get<TextColumn>(readResultFile(resultOf("d")).arrays[0].values); };
+    const RebuildReport report = runOf({});
+    EXPECT_EQ(report.count(StepState::Computed), 4U);
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(1, 1, 1, 0));
+    EXPECT_THAT(words(), ElementsAre("given"));
+    EXPECT_EQ(runOf({}).count(StepState::Fresh), 4U);
+    // Where the first is there already, or not asked for, the other is made by itself.
+    folder.write("d.txt", "other");
+    runOf({});
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 1));
+    EXPECT_THAT(words(), ElementsAre("d"));
+    runOf({.targets = {"d"}, .force = true});
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 1));
+    // And where the first fails.
+    steps.failing = "a";
+    leader.compute = [](const StepContext&, const Progress&) -> Result {
+        throw Error(ErrorCode::BadArgument, {{}, {}, {{"reason", "It failed"}, {"remedy", ""}}});
+    };
+    const RebuildReport failed = runOf({.force = true});
+    EXPECT_EQ(failed.count(StepState::Failed), 1U);
+    EXPECT_THAT(steps.takeRuns(), ElementsAre(0, 0, 0, 1));
+}
+
 TEST_F(Rebuild, ChangedContentReachesWhatUsesIt)
 {
     run();

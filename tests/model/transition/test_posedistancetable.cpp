@@ -34,7 +34,7 @@ TEST(PoseDistances, DoesNotDependOnTilesThreadsAndSequences)
 
 TEST(PoseDistances, DoesNotDependOnHowManyColumnsATileHasAtOnce)
 {
-    // Tiles of 141 frames, of which 128 columns are done before the others; then tiles of 16.
+    // Tiles of 141 frames, of which 128 rows are aligned and 128 columns done before the others; then of 16.
     const MeshSequence all = swayingTube(tubeTopology(6, 6), 6, 1401, 0.01);
     const MeshSequence some = all.cutTo({FrameIndex(250), FrameIndex(310)});
     for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
@@ -57,6 +57,39 @@ TEST(PoseDistances, OfTheFirstFramesAreTheFirstRowsOfAll)
         }
     }
     EXPECT_THROW(poseDistancesOfFirst(frames, 5, {.stretchWeight = -1}), Error);
+}
+
+TEST(PoseDistances, AreTheSameInOnePassWithOthers)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(8, 20), 8, 60, 0.1));
+    const std::vector<PoseDistanceSettings> metrics{
+        {}, {.metric = PoseMetric::Euclidean}, {.stretchWeight = 0.5}};
+    const OfCovariance trace = [](const Eigen::Matrix3d& covariance) { return covariance.trace(); };
+    const PosePairs all = posePairs(frames, metrics, trace);
+    ASSERT_EQ(all.distances.size(), metrics.size());
+    for (std::size_t m = 0; m < metrics.size(); ++m) {
+        const PoseDistances own = poseDistances(frames, metrics[m]);
+        EXPECT_TRUE((all.distances[m].distances == own.distances).all()) << m;
+        EXPECT_EQ(all.distances[m].trianglesUsed, own.trianglesUsed);
+    }
+    EXPECT_FALSE((all.distances[0].distances == all.distances[2].distances).all());
+    ASSERT_EQ(all.centres.size(), 60U);
+    EXPECT_TRUE((posePairs(frames, {}, trace).ofCovariances == all.ofCovariances).all());
+    EXPECT_EQ(posePairs(frames, metrics).ofCovariances.size(), 0);
+    const auto centred = [&](NodeIndex node) {
+        const Frame frame = frames.frame(node);
+        Eigen::Matrix3Xd points(3, frame.positions().size());
+        for (std::size_t v = 0; v < frame.positions().size(); ++v)
+            points.col(static_cast<Eigen::Index>(v)) = frame.positions()[v].cast<double>();
+        const Vec3d mean = points.rowwise().mean();
+        EXPECT_LT((mean - all.centres[static_cast<std::size_t>(node)]).norm(), 1e-6);
+        return Eigen::Matrix3Xd(points.colwise() - mean);
+    };
+    for (const auto& [i, j] : {std::pair<NodeIndex, NodeIndex>{0, 1}, {3, 40}, {17, 59}}) {
+        const double expected = (centred(i).array() * centred(j).array()).sum();
+        EXPECT_NEAR(all.ofCovariances(i, j), expected, 1e-5 * std::abs(expected));
+        EXPECT_EQ(all.ofCovariances(i, j), all.ofCovariances(j, i));
+    }
 }
 
 TEST(PoseDistances, SeldomReadsFramesAgainThatTheCacheDoesNotHold)
