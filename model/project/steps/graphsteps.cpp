@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/freememory.h"
+#include "model/core/mediacache.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
@@ -21,6 +23,18 @@
 namespace quadrille {
 
 namespace {
+
+/// Of frames that were compared only those used last stay: tables of all pairs need the room.
+void makeRoomFor(std::uint64_t tables)
+{
+    MediaCache& cache = *MediaCache::shared();
+    const std::size_t budget = cache.statistics().budget;
+    if (tables < budget)
+        return;
+    cache.setBudget(budget / 8);
+    cache.setBudget(budget);
+    returnFreeMemory();
+}
 
 BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances)
 {
@@ -50,6 +64,7 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
             addStepCosts(steps, StepDifferences(roots, layout, fps), weights);
         }
         const float greatest = steps.size() > 0 ? steps.maxCoeff() : 0.0F;
+        makeRoomFor(sizeof(float) * static_cast<std::uint64_t>(steps.size()) * 7 / 2);
         TransitionTable table = transitionTable(steps, layout, settings, progress);
         steps.resize(0, 0);
         Result result;
