@@ -52,6 +52,27 @@ BENCHMARK(allPairs)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+/// Both metrics and the trace of covariances; by one pass over all pairs or by one for each.
+void allTables(benchmark::State& state)
+{
+    const CharacterFrames& frames = figure(1000);
+    const std::vector<PoseDistanceSettings> metrics{{}, {.metric = PoseMetric::Euclidean}};
+    const OfCovariance trace = [](const Eigen::Matrix3d& covariance) { return covariance.trace(); };
+    const bool isTogether = state.range(0) != 0;
+    tbb::task_arena arena(1);
+    for (auto _ : state)
+        arena.execute([&] {
+            if (isTogether) {
+                benchmark::DoNotOptimize(posePairs(frames, metrics, trace).ofCovariances.data());
+                return;
+            }
+            for (const PoseDistanceSettings& metric : metrics)
+                benchmark::DoNotOptimize(poseDistances(frames, metric).distances.data());
+            benchmark::DoNotOptimize(posePairs(frames, {}, trace).ofCovariances.data());
+        });
+}
+BENCHMARK(allTables)->ArgName("together")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 /// The plain reference: Kabsch and polar decompositions by SVD, double precision.
 void plainPair(benchmark::State& state)
 {
