@@ -5790,6 +5790,10 @@
         <source>Weight of a frame of duration against deformation: higher values prefer short ways. The curve is the density of the Essential graph.</source>
         <translation>Poids d’une image de durée face à la déformation&#xa0;: des valeurs plus hautes préfèrent les trajets courts. La courbe est la densité du graphe essentiel.</translation>
     </message>
+    <message>
+        <source>So many are certain; others are still looked at</source>
+        <translation>Celles-ci sont certaines&#xa0;; d’autres sont encore examinées</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::GraphChartsPanel</name>

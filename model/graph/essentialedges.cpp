@@ -33,7 +33,7 @@ public:
     {
     }
 
-    Digraph run(const Progress& progress)
+    Digraph run(const Progress& progress, const std::function<void(Digraph)>& certain)
     {
         std::atomic<NodeIndex> done = 0;
         tbb::parallel_for(0, m_layout.sequenceCount(), [&](int sequence) {
@@ -41,6 +41,9 @@ public:
             progress.part(0, 0.2).report(done += m_layout.countOf(sequence), m_frames);
         });
         decideByLeast();
+        if (certain)
+            certain(keptEdges());
+        tbb::parallel_for(NodeIndex{0}, m_frames, [this](NodeIndex i) { m_graph.sort(i); });
         m_graph.nearlyFree = nearlyFree();
         const NodeIndex blocks = (m_frames + EdgeWalks::lanes - 1) / EdgeWalks::lanes;
         tbb::enumerable_thread_specific<EdgeWalks> workspaces(m_frames);
@@ -125,8 +128,29 @@ private:
                 if (!isOriginal(i, edge.to) && edge.weight * (1 + edgeTie) >= least * (1 - rounding))
                     edge.state = EdgeState::Undecided;
             }
-            m_graph.sort(i);
         });
+    }
+
+    Edge edgeOf(NodeIndex from, const OutEdge& edge) const
+    {
+        return {from, edge.to, edge.weight,
+                isOriginal(from, edge.to) ? EdgeKind::Original : EdgeKind::Transition};
+    }
+
+    /// \pre The edges of each frame are in the order of their destinations.
+    Digraph keptEdges() const
+    {
+        const auto isKept = [](const OutEdge& edge) { return edge.state == EdgeState::Kept; };
+        std::size_t count = 0;
+        for (const OutEdges& own : m_graph.edges)
+            count += static_cast<std::size_t>(std::ranges::count_if(own, isKept));
+        std::vector<Edge> edges;
+        edges.reserve(count);
+        for (NodeIndex i = 0; i < m_frames; ++i)
+            for (const OutEdge& edge : m_graph.from(i))
+                if (isKept(edge))
+                    edges.push_back(edgeOf(i, edge));
+        return {m_frames, std::move(edges)};
     }
 
     /// The round trips that two edges which tie can stand in for each other by; 0: there are none.
@@ -176,11 +200,7 @@ private:
             OutEdges own = std::move(m_graph.from(i));
             std::sort(own.begin(), own.end(), [](const OutEdge& a, const OutEdge& b) { return a.to < b.to; });
             std::transform(own.begin(), own.end(), edges.data() + firstOf[static_cast<std::size_t>(i)],
-                           [&](const OutEdge& edge) {
-                               const auto kind =
-                                   isOriginal(i, edge.to) ? EdgeKind::Original : EdgeKind::Transition;
-                               return Edge{i, edge.to, edge.weight, kind};
-                           });
+                           [&](const OutEdge& edge) { return edgeOf(i, edge); });
             m_graph.from(i) = std::move(own);
         });
         for (NodeIndex i = 0; i < m_frames; ++i)
@@ -203,10 +223,11 @@ private:
 
 } // namespace
 
-Digraph essentialEdges(const TransitionCosts& costs, double alpha, const Progress& progress)
+Digraph essentialEdges(const TransitionCosts& costs, double alpha, const Progress& progress,
+                       const std::function<void(Digraph)>& certain)
 {
     requireAlpha(alpha);
-    return EdgeSearch(costs, alpha).run(progress);
+    return EdgeSearch(costs, alpha).run(progress, certain);
 }
 
 } // namespace quadrille

@@ -65,11 +65,19 @@ PathCostSummary summaryOf(const std::vector<RowCosts>& rows)
 } // namespace
 
 GraphPair graphsAt(const TransitionCosts& costs, std::shared_ptr<const std::vector<FramePair>> minima,
-                   double alpha, const Progress& progress)
+                   double alpha, const Progress& progress, const GraphsTaker& first)
 {
     GraphPair graphs{.alpha = alpha, .minima = std::move(minima)};
-    graphs.essential = essentialEdges(costs, alpha, progress);
     graphs.motion = motionGraph(costs, *graphs.minima, alpha);
+    std::function<void(Digraph)> certain;
+    if (first)
+        certain = [&](Digraph edges) {
+            auto begun = std::make_shared<GraphPair>(graphs);
+            begun->essential = std::move(edges);
+            begun->isWhole = false;
+            first(std::move(begun));
+        };
+    graphs.essential = essentialEdges(costs, alpha, progress, certain);
     return graphs;
 }
 

@@ -7,6 +7,7 @@
 #include "model/graph/statistics.h"
 #include "model/graph/transitioncosts.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,11 +20,16 @@ struct GraphPair
     std::shared_ptr<const std::vector<FramePair>> minima; ///< transitions of the motion graph
     Digraph essential;
     Digraph motion;
+    bool isWhole = true; ///< else `essential` has the edges only that are certain so far
 };
 
-/// The edges of both. \param minima  of costMinima. \throws Error, cost: as essentialEdges.
+/// Takes both graphs as they become known.
+using GraphsTaker = std::function<void(std::shared_ptr<const GraphPair>)>;
+
+/// The edges of both. \param minima  of costMinima. \param first  receives the motion graph with what is
+/// certain of the other, long before the rest is; may be empty. \throws Error, cost: as essentialEdges.
 GraphPair graphsAt(const TransitionCosts& costs, std::shared_ptr<const std::vector<FramePair>> minima,
-                   double alpha, const Progress& progress = {});
+                   double alpha, const Progress& progress = {}, const GraphsTaker& first = {});
 
 /// What takes longer to know of them.
 struct MeasuredGraphs

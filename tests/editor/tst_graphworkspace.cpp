@@ -121,6 +121,29 @@ private slots:
         QCOMPARE(text("essentialDensity"), before);
     }
 
+    void ofManyFramesTheEdgesThatAreCertainComeFirst()
+    {
+        compute();
+        explorer().setManyFrames(1);
+        int parts = 0;
+        int wrong = 0;
+        const auto watching = connect(&explorer(), &GraphExplorer::graphsChanged, this, [&] {
+            const bool isPart = !explorer().graphs()->isWhole;
+            parts += isPart ? 1 : 0;
+            for (const char* name : {"essentialEdges", "essentialDensity"})
+                wrong += text(name).startsWith(QStringLiteral("≥ ")) == isPart ? 0 : 1;
+            wrong += text("motionEdges").startsWith(QStringLiteral("≥ ")) ? 1 : 0;
+        });
+        drag(workspace().bar().alpha().slider(), 70);
+        waitForPaths();
+        disconnect(watching);
+        QVERIFY(parts > 0);
+        QCOMPARE(wrong, 0);
+        QCOMPARE(text("essentialEdges"),
+                 QLocale().toString(static_cast<qulonglong>(
+                     essentialGraph(graph().costs(), projectAlpha()).graph.edges().size())));
+    }
+
     /// How many values arrive while the slider moves is printed, not asserted: it depends on the machine.
     void theGraphsFollowAMovingAlpha()
     {

@@ -133,18 +133,25 @@ void GraphBar::showGraphs()
     const bool isMeasured = measured && measured->graphs == graphs;
     const QString none = QStringLiteral("–");
     const QString later = QStringLiteral("…");
-    const auto show = [&](const Row& row, const Digraph* graph, const PathCostSummary* costs) {
-        row.edges->setText(graph ? QLocale().toString(static_cast<qlonglong>(graph->edges().size())) : none);
-        row.density->setText(graph ? tr("%1 %").arg(widgets::chartNumber(100 * graph->density())) : none);
+    const auto show = [&](const Row& row, const Digraph* graph, bool isWhole, const PathCostSummary* costs) {
+        const QString least = isWhole ? QString() : QStringLiteral("≥ ");
+        const QString tip = isWhole ? QString() : tr("So many are certain; others are still looked at");
+        row.edges->setText(graph ? least + QLocale().toString(static_cast<qlonglong>(graph->edges().size()))
+                                 : none);
+        row.density->setText(graph ? least + tr("%1 %").arg(widgets::chartNumber(100 * graph->density()))
+                                   : none);
+        row.edges->setToolTip(tip);
+        row.density->setToolTip(tip);
         row.cost->setText(costs ? widgets::chartNumber(costs->mean) : graph ? later : none);
         row.cost->setToolTip(costs ? tr("± %1; %n pair(s) of frames without a way", nullptr,
                                         static_cast<int>(costs->unreachablePairs))
                                          .arg(widgets::chartNumber(costs->standardDeviation))
                                    : QString());
     };
-    show(m_rows[0], graphs ? &graphs->essential : nullptr,
+    show(m_rows[0], graphs ? &graphs->essential : nullptr, !graphs || graphs->isWhole,
          isMeasured ? &measured->essential.pathCosts : nullptr);
-    show(m_rows[1], graphs ? &graphs->motion : nullptr, isMeasured ? &measured->motion.pathCosts : nullptr);
+    show(m_rows[1], graphs ? &graphs->motion : nullptr, true,
+         isMeasured ? &measured->motion.pathCosts : nullptr);
 }
 
 /// How dense the Essential graph is for each α, as a share of the densest.

@@ -131,12 +131,13 @@ void GraphExplorer::computeGraphs()
     m_graphsJob = m_jobs.start(
         {.name = tr("Graphs"), .receiver = this, .stillStands = stands, .background = true},
         [opened = m_opened, alpha = m_alpha, post = m_mailbox.address(), stands,
-         this](const Progress& progress) {
+         hasMany = m_opened->graph.layout().frameCount() >= m_manyFrames, this](const Progress& progress) {
             return opened->graph.at(alpha, progress, [&](std::shared_ptr<const GraphPair> edges) {
-                post.post([this, stands, edges = std::move(edges)] {
-                    if (stands())
-                        take(edges);
-                });
+                if (edges->isWhole || hasMany)
+                    post.post([this, stands, edges = std::move(edges)] {
+                        if (stands())
+                            take(edges);
+                    });
             });
         },
         [this](std::shared_ptr<const MeasuredGraphs> graphs) { take(std::move(graphs)); });

@@ -29,9 +29,9 @@ struct ExploredGaps
 };
 
 /// Keeps both graphs of an opened character up with α while it is changed: of all values that come while one
-/// is computed only the newest is computed next. Edges come first, then path costs, then – once α rests –
-/// gaps, and a comparison over many α. What is computed so for an α that the project takes is not computed
-/// again (graphsAt).
+/// is computed only the newest is computed next. Edges come first – of many frames those that are certain
+/// before the others –, then path costs, then – once α rests – gaps, and a comparison over many α. What is
+/// computed so for an α that the project takes is not computed again (graphsAt).
 class GraphExplorer : public QObject
 {
     Q_OBJECT
@@ -53,6 +53,9 @@ public:
     /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done. Nothing happens
     /// before there are graphs. It comes by itself once gaps are there.
     void askForComparison();
+
+    /// From so many frames on, certain edges come first: of fewer all are there at once.
+    void setManyFrames(NodeIndex frames) { m_manyFrames = frames; }
 
     /// The last that is known of each, maybe of an earlier α; null until there is any.
     const std::shared_ptr<const GraphPair>& graphs() const { return m_graphs; }
@@ -87,6 +90,7 @@ private:
     JobRunner& m_jobs;
     std::shared_ptr<const OpenedCharacter> m_opened;
     double m_alpha = usualAlpha;
+    NodeIndex m_manyFrames = 3000;
     TakeFilter m_filter;
     std::shared_ptr<const GraphPair> m_graphs;
     std::shared_ptr<const MeasuredGraphs> m_measured;

@@ -138,7 +138,7 @@ void GraphMap::showArcs()
 void GraphMap::showTakes()
 {
     const auto& graphs = m_explorer.graphs();
-    if (!graphs)
+    if (!graphs || !(graphs->isWhole || m_countsMotion)) // numbers of before are nearer than those of a part
         return;
     m_takes->setLinks(
         m_countsMotion ? tr("Motion graph") : tr("Essential graph"),

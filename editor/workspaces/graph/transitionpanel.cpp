@@ -242,7 +242,10 @@ void TransitionPanel::showMembership()
     };
     const QString essential = textOf(graphs->essential);
     const QString motion = textOf(graphs->motion);
-    m_essential->setText(essential.isEmpty() ? tr("No. %1").arg(replacement()) : essential);
+    if (!essential.isEmpty())
+        m_essential->setText(essential);
+    else
+        m_essential->setText(graphs->isWhole ? tr("No. %1").arg(replacement()) : QStringLiteral("…"));
     m_motion->setText(motion.isEmpty() ? tr("No: not a local minimum of the cost") : motion);
 }
 

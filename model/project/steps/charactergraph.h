@@ -49,9 +49,8 @@ public:
     /// The Essential graph.
     const Digraph& graph() const { return *m_graph; }
     /// Both graphs at some α: the project's as its step left them, others by graphsAt.
-    std::shared_ptr<const MeasuredGraphs>
-    at(double alpha, const Progress& progress = {},
-       const std::function<void(std::shared_ptr<const GraphPair>)>& edges = {}) const
+    std::shared_ptr<const MeasuredGraphs> at(double alpha, const Progress& progress = {},
+                                             const GraphsTaker& edges = {}) const
     {
         return alpha == m_work.graph.alpha ? storedGraphs(m_work, m_context, progress)
                                            : graphsAt(m_work, alpha, m_context, progress, edges);

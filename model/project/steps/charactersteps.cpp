@@ -164,13 +164,13 @@ sharedGraphs(const CharacterInputs& work, double alpha, const StepContext& conte
     });
 }
 
-std::shared_ptr<const MeasuredGraphs>
-graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress,
-         const std::function<void(std::shared_ptr<const GraphPair>)>& edges)
+std::shared_ptr<const MeasuredGraphs> graphsAt(const CharacterInputs& work, double alpha,
+                                               const StepContext& context, const Progress& progress,
+                                               const GraphsTaker& edges)
 {
     const auto make = [&](std::shared_ptr<const CostMinima> minima) {
         const auto graphs = std::make_shared<const GraphPair>(
-            graphsAt(*costsOf(work, context), std::move(minima), alpha, progress.part(0.05, 0.3)));
+            graphsAt(*costsOf(work, context), std::move(minima), alpha, progress.part(0.05, 0.3), edges));
         if (edges)
             edges(graphs);
         return measured(graphs, progress.part(0.3, 1));

@@ -122,11 +122,11 @@ sharedGraphs(const CharacterInputs& work, double alpha, const StepContext& conte
              const std::function<MeasuredGraphs(std::shared_ptr<const CostMinima>)>& make,
              const Progress& progress = {});
 /// Both graphs at an α, and what is known of them, made once for the step of graphs and all who try this α.
-/// \param edges  receives the graphs before their paths are measured, where they were not yet; from this
-/// thread. \throws Error BadArgument (α), Cancelled.
-std::shared_ptr<const MeasuredGraphs>
-graphsAt(const CharacterInputs& work, double alpha, const StepContext& context, const Progress& progress = {},
-         const std::function<void(std::shared_ptr<const GraphPair>)>& edges = {});
+/// \param edges  receives the graphs before their paths are measured, where they were not yet, and before
+/// that what is certain of them; from this thread. \throws Error BadArgument (α), Cancelled.
+std::shared_ptr<const MeasuredGraphs> graphsAt(const CharacterInputs& work, double alpha,
+                                               const StepContext& context, const Progress& progress = {},
+                                               const GraphsTaker& edges = {});
 /// Pose distances, transitions, and what else their costs depend on.
 std::vector<std::string> costInputs(const CharacterInputs& work);
 /// The settings of `costsOf` that no step before knows, for BuildStep::settings.

@@ -2,22 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/freememory.h"
 #include "model/core/mediacache.h"
-#include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
-#include "model/project/media/sequencesettings.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/steps/graphtables.h"
 #include "model/project/steps/posesteps.h"
 #include "model/synthesis/clips/stepcosts.h"
 #include "model/synthesis/finishing/footdrift.h"
 #include "model/synthesis/quality/liveliness.h"
-#include "model/transition/posedistance.h"
 #include "model/transition/transitiontable.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <optional>
 
 namespace quadrille {

@@ -57,6 +57,27 @@ TEST_P(EssentialEdges, AreThoseOfThePlainGraphWhereManyTie)
         EXPECT_EQ(essentialEdges(costs, alpha), essentialGraph(costs, alpha).graph) << alpha;
 }
 
+TEST_P(EssentialEdges, ThatAreCertainComeFirst)
+{
+    const TransitionCosts costs = makeTransitions(GetParam().random);
+    std::vector<Digraph> certain;
+    const Digraph all = essentialEdges(costs, GetParam().alpha, {},
+                                       [&](Digraph edges) { certain.push_back(std::move(edges)); });
+    EXPECT_EQ(all, essentialEdges(costs, GetParam().alpha));
+    ASSERT_EQ(certain.size(), 1U);
+    EXPECT_EQ(certain[0].nodeCount(), all.nodeCount());
+    EXPECT_EQ(certain[0].count(EdgeKind::Original), all.count(EdgeKind::Original));
+    for (const Edge& edge : certain[0].edges()) {
+        const Edge* const found = all.find(edge.from, edge.to);
+        ASSERT_NE(found, nullptr) << edge.from << " to " << edge.to;
+        EXPECT_EQ(*found, edge);
+    }
+    // Whatever is cheaper than any two transitions can be is certain.
+    if (GetParam().random.missing < 0.9) {
+        EXPECT_GT(certain[0].count(EdgeKind::Transition), 0);
+    }
+}
+
 TEST(EssentialEdges, PreferTheLongerWalkOnATie)
 {
     // 0 → 2 weighs 1 as 0 → 1 → 2 does, exactly, or nearly; 0 → 3 as 0 → 2 → 3.

@@ -67,7 +67,15 @@ TEST(MeasuredGraphs, AreThoseThatTablesOfAllPairsGive)
         const TransitionCosts costs =
             makeTransitions({.seed = 3, .counts = {40, 1, 50, 22}, .missing = missing});
         const auto minima = std::make_shared<const std::vector<FramePair>>(costMinima(costs));
-        const auto graphs = std::make_shared<const GraphPair>(graphsAt(costs, minima, 0.02));
+        std::shared_ptr<const GraphPair> first;
+        const auto graphs = std::make_shared<const GraphPair>(
+            graphsAt(costs, minima, 0.02, {}, [&](auto begun) { first = std::move(begun); }));
+        ASSERT_NE(first, nullptr);
+        EXPECT_FALSE(first->isWhole);
+        EXPECT_TRUE(graphs->isWhole);
+        EXPECT_EQ(first->alpha, 0.02);
+        EXPECT_EQ(first->motion, graphs->motion);
+        EXPECT_LE(first->essential.edges().size(), graphs->essential.edges().size());
         const MeasuredGraphs both = measured(graphs);
         const EssentialGraph plain = essentialGraph(costs, 0.02);
         EXPECT_EQ(graphs->alpha, 0.02);

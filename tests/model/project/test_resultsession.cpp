@@ -204,14 +204,16 @@ TEST_F(ResultSessionTest, TellsTheBestSoFarWhileItSeeks)
 TEST_F(ResultSessionTest, MakesGraphsOnceForThoseWhoTryAnAlphaThatTheProjectThenTakes)
 {
     const auto opened = openCharacter(working(), "", GraphOpening::Compute);
-    int shown = 0;
-    const auto tried = opened->graph.at(0.05, {}, [&](const std::shared_ptr<const GraphPair>& edges) {
-        ++shown;
+    std::vector<bool> shown; // whether whole
+    const GraphsTaker show = [&](const std::shared_ptr<const GraphPair>& edges) {
+        shown.push_back(edges->isWhole);
         EXPECT_EQ(edges->alpha, 0.05);
-    });
-    EXPECT_EQ(shown, 1);
-    EXPECT_EQ(opened->graph.at(0.05, {}, [&](const auto&) { ++shown; }), tried);
-    EXPECT_EQ(shown, 1);
+    };
+    const auto tried = opened->graph.at(0.05, {}, show);
+    EXPECT_EQ(shown, (std::vector{false, true}));
+    EXPECT_TRUE(tried->graphs->isWhole);
+    EXPECT_EQ(opened->graph.at(0.05, {}, show), tried);
+    EXPECT_EQ(shown.size(), 2U);
     computedNow();
 
     WorkingProject taken = working();
