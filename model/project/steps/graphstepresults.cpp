@@ -127,7 +127,7 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
     return {nodeCount, std::move(edges)};
 }
 
-Result rootPosesResult(const RootPoses& roots, const std::string& unit)
+Result rootPosesResult(RootPoses roots, const std::string& unit)
 {
     DataArray centres;
     centres.name = "root-centres";
@@ -144,7 +144,7 @@ Result rootPosesResult(const RootPoses& roots, const std::string& unit)
     result.arrays = {std::move(centres),
                      matrixOf("root-turns",
                               "Turn about the up axis that lays the pose of the column on that of the row.",
-                              "rad", roots.turns)};
+                              "rad", std::move(roots.turns))};
     addSupports(result, roots.supports, unit);
     addStances(result, roots.stances, unit);
     return result;

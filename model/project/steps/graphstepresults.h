@@ -18,7 +18,7 @@ namespace quadrille {
 Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
 
 /// \param unit  of lengths.
-Result rootPosesResult(const RootPoses& roots, const std::string& unit);
+Result rootPosesResult(RootPoses roots, const std::string& unit);
 /// Takes the turns out of the result where nobody else has it.
 RootPoses rootPosesOf(ResultPointer result, UpAxis up);
 /// From the result of the step of transitions, out of which it is taken where nobody else has it.

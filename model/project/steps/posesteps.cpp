@@ -60,7 +60,7 @@ Result rootsResult(const CharacterInputs& work, const CharacterFrames& frames, R
     constexpr std::size_t enough = 48; // vertices that stand
     thinSupports(roots.supports, enough);
     roots.stances = findStances(frames, roots.up, progress.part(0.5, 1));
-    return rootPosesResult(roots, unitText(work.opener->project().settings.axes.metresPerUnit));
+    return rootPosesResult(std::move(roots), unitText(work.opener->project().settings.axes.metresPerUnit));
 }
 
 UpAxis upOf(const CharacterInputs& work)
