@@ -82,10 +82,11 @@ public:
                     result.head.isNew = true;
                 }
                 const WarpGrid& grid = m_alignment->grid();
-                result.colours = m_charts.colours(*moving, m_charts.atTexels(result.forward, grid));
+                const std::vector<Vec2f> field = m_charts.atTexels(result.forward, grid);
+                result.colours = m_charts.colours(*moving, field);
                 if (isLast) {
                     result.backward = m_charts.atNodes(m_charts.inverse(result.forward, grid), grid);
-                    result.head.figures = figuresOf(*moving, wanted, result);
+                    result.head.figures = figuresOf(*moving, wanted, field, result.colours);
                 }
                 return result;
             });
@@ -117,10 +118,9 @@ private:
     }
 
     AlignmentFigures figuresOf(const Image& texture, std::span<const std::uint8_t> wanted,
-                               const Aligned& result) const
+                               const std::vector<Vec2f>& field, std::span<const std::uint8_t> aligned) const
     {
         const std::vector<std::uint8_t> colours = m_charts.colours(texture);
-        const std::vector<Vec2f> field = m_charts.atTexels(result.forward, m_alignment->grid());
         AlignmentFigures figures;
         double texels = 0;
         for (std::size_t k = 0; k < field.size(); ++k) {
@@ -130,7 +130,7 @@ private:
             figures.displacement += static_cast<double>(field[k].norm());
             for (std::size_t c = 3 * k; c < 3 * k + 3; ++c) {
                 figures.before += std::pow(colours[c] - wanted[c], 2);
-                figures.after += std::pow(result.colours[c] - wanted[c], 2);
+                figures.after += std::pow(aligned[c] - wanted[c], 2);
             }
         }
         texels = std::max(texels, 1.0);

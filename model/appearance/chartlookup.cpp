@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/chartlookup.h"
 
-#include "model/appearance/cubicweights.h"
+#include "model/appearance/decodekernels.h"
+#include "model/appearance/lookupkernels.h"
+#include "model/appearance/rowwarp.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace quadrille {
@@ -27,7 +30,26 @@ ChartLookup::ChartLookup(UsedTexels used) : m_used(std::move(used))
         m_charts[cell(x, y)] = static_cast<std::uint16_t>(m_used.charts[k] + 1);
         m_indices[cell(x, y)] = static_cast<std::uint32_t>(k);
     }
+    findSquares();
     findSources();
+}
+
+void ChartLookup::findSquares()
+{
+    m_squares.resize(m_charts.size());
+    const auto isWhole = [&](int x, int y, int before, int behind) {
+        if (x < before || y < before || x + behind >= m_used.width || y + behind >= m_used.height)
+            return false;
+        const std::uint16_t chart = m_charts[cell(x, y)];
+        for (int row = y - before; row <= y + behind; ++row)
+            for (int column = x - before; column <= x + behind; ++column)
+                if (m_charts[cell(column, row)] != chart)
+                    return false;
+        return true;
+    };
+    for (const auto& [x, y] : m_places)
+        if (isWhole(x, y, 0, 1))
+            m_squares[cell(x, y)] = isWhole(x, y, 1, 2) ? 4 : 2;
 }
 
 void ChartLookup::findSources()
@@ -66,6 +88,8 @@ bool ChartLookup::isInside(const Vec2f& place, std::uint16_t chart) const
         return false;
     const int left = static_cast<int>(place.x());
     const int top = static_cast<int>(place.y());
+    if (isSquare(cell(left, top), chart, 2))
+        return true;
     const std::uint16_t* charts = m_charts.data() + cell(left, top);
     const bool isWide = place.x() > static_cast<float>(left);
     const bool isHigh = place.y() > static_cast<float>(top);
@@ -80,6 +104,8 @@ Vec2f ChartLookup::shortened(std::size_t texel, const Vec2f& displacement) const
     const auto [x, y] = place(texel);
     const Vec2f from(static_cast<float>(x), static_cast<float>(y));
     const auto chart = static_cast<std::uint16_t>(m_used.charts[texel] + 1);
+    if (isInside(from + displacement, chart))
+        return displacement;
     // What points out of an edge slides along it.
     const bool isAcross = std::abs(displacement.x()) > std::abs(displacement.y());
     const Vec2f larger = isAcross ? Vec2f(displacement.x(), 0) : Vec2f(0, displacement.y());
@@ -114,42 +140,13 @@ std::vector<std::uint8_t> ChartLookup::colours(const Image& texture) const
 
 std::vector<std::uint8_t> ChartLookup::colours(const Image& texture, const std::vector<Vec2f>& field) const
 {
-    const std::vector<std::uint8_t> still = colours(texture);
-    const std::vector<float> moved = sampled(std::vector<float>(still.begin(), still.end()), field);
-    std::vector<std::uint8_t> rounded(moved.size());
-    std::ranges::transform(moved, rounded.begin(), [](float value) {
-        return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 255.0F)));
-    });
+    std::vector<std::uint8_t> rounded = colours(texture);
+    std::vector<float> still(rounded.begin(), rounded.end());
+    still.push_back(0);
+    std::vector<float> moved(still.size());
+    sample(still, field, moved);
+    roundToBytes(moved.data(), static_cast<int>(rounded.size()), rounded.data());
     return rounded;
-}
-
-bool ChartLookup::isSquareInside(int left, int top, std::uint16_t chart) const
-{
-    if (left < 1 || top < 1 || left + 2 >= m_used.width || top + 2 >= m_used.height)
-        return false;
-    const std::uint16_t* corner = m_charts.data() + cell(left - 1, top - 1);
-    for (int row = 0; row < 4; ++row, corner += m_used.width + 1)
-        if (corner[0] != chart || corner[1] != chart || corner[2] != chart || corner[3] != chart)
-            return false;
-    return true;
-}
-
-std::array<float, 3> ChartLookup::cubic(const float* values, int left, int top, const Vec2f& part) const
-{
-    const CubicWeights x = cubicWeights(part.x());
-    const CubicWeights y = cubicWeights(part.y());
-    const std::array down{y.w0, y.w1, y.w2, y.w3};
-    Eigen::Array4f sums = Eigen::Array4f::Zero(); // the last counts nothing: it is the next texel's first
-    for (int row = 0; row < 4; ++row) {
-        // Texels of a chart that lie side by side are used texels one after the other.
-        const float* four = values + std::size_t{3} * m_indices[cell(left - 1, top - 1 + row)];
-        const float of = down[static_cast<std::size_t>(row)];
-        sums += x.w0 * of * Eigen::Map<const Eigen::Array4f>(four);
-        sums += x.w1 * of * Eigen::Map<const Eigen::Array4f>(four + 3);
-        sums += x.w2 * of * Eigen::Map<const Eigen::Array4f>(four + 6);
-        sums += x.w3 * of * Eigen::Map<const Eigen::Array4f>(four + 9);
-    }
-    return {sums[0], sums[1], sums[2]};
 }
 
 std::array<float, 3> ChartLookup::linear(std::span<const float> values, std::size_t texel, int left, int top,
@@ -173,11 +170,17 @@ std::array<float, 3> ChartLookup::linear(std::span<const float> values, std::siz
     return sums;
 }
 
-std::vector<float> ChartLookup::sampled(std::span<const float> values, const std::vector<Vec2f>& field) const
+void ChartLookup::sample(std::span<const float> values, const std::vector<Vec2f>& field,
+                         std::span<float> looked) const
 {
-    std::vector<float> moved(values.size());
-    std::vector<float> padded(values.size() + 1); // for the last texel's fourth value
-    std::ranges::copy(values, padded.begin());
+    assert(values.size() == 3 * field.size() + 1 && looked.size() >= 3 * field.size());
+    std::vector<SquareLookup> squares;
+    constexpr std::size_t atOnce = 256;
+    squares.reserve(atOnce);
+    const auto lookUp = [&] {
+        lookUpSquares(values.data(), squares.data(), static_cast<int>(squares.size()), looked.data());
+        squares.clear();
+    };
     for (std::size_t k = 0; k < field.size(); ++k) {
         const auto [x, y] = place(k);
         const Vec2f at(static_cast<float>(x) + field[k].x(), static_cast<float>(y) + field[k].y());
@@ -185,11 +188,22 @@ std::vector<float> ChartLookup::sampled(std::span<const float> values, const std
         const int top = std::clamp(static_cast<int>(at.y()), 0, m_used.height - 1);
         const Vec2f part = at - Vec2f(static_cast<float>(left), static_cast<float>(top));
         const auto chart = static_cast<std::uint16_t>(m_used.charts[k] + 1);
-        std::ranges::copy(isSquareInside(left, top, chart) ? cubic(padded.data(), left, top, part)
-                                                           : linear(values, k, left, top, part),
-                          moved.begin() + static_cast<std::ptrdiff_t>(3 * k));
+        if (!isSquare(cell(left, top), chart, 4)) {
+            std::ranges::copy(linear(values, k, left, top, part),
+                              looked.begin() + static_cast<std::ptrdiff_t>(3 * k));
+            continue;
+        }
+        // Texels of a chart that lie side by side are used texels one after the other.
+        const std::uint32_t* first = m_indices.data() + cell(left - 1, top - 1);
+        const auto below = static_cast<std::ptrdiff_t>(m_used.width) + 1;
+        squares.push_back({{first[0], first[below], first[2 * below], first[3 * below]},
+                           part.x(),
+                           part.y(),
+                           static_cast<std::uint32_t>(k)});
+        if (squares.size() == atOnce)
+            lookUp();
     }
-    return moved;
+    lookUp();
 }
 
 std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const WarpGrid& grid) const
@@ -198,24 +212,34 @@ std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const W
     const auto width = static_cast<std::size_t>(grid.width);
     const auto nodes = static_cast<std::size_t>(grid.nodes());
     std::vector<float> values(2 * nodes);
+    std::vector<float> rows;
+    using Sum = Eigen::Array4f; // of x, y and weights; the last counts nothing
+    std::vector<Sum> line(width + 1);
+    const auto part = [&](int texel) {
+        return static_cast<float>(texel % grid.spacing) / static_cast<float>(grid.spacing);
+    };
     for (int pass = 0; pass < passes; ++pass) {
-        std::vector<Eigen::Vector3f> sums(nodes, Eigen::Vector3f::Zero());
-        for (std::size_t k = 0; k < field.size(); ++k) {
-            const auto [x, y] = place(k);
-            const Vec2f at(static_cast<float>(x), static_cast<float>(y));
-            const Vec2f left = field[k] - warpAt(values, grid, at);
-            const Vec2f cell = at / static_cast<float>(grid.spacing);
-            const int i = x / grid.spacing;
-            const int j = y / grid.spacing;
-            const float tx = cell.x() - static_cast<float>(i);
-            const float ty = cell.y() - static_cast<float>(j);
-            for (const auto& [di, dj, weight] : {std::tuple{0, 0, (1 - tx) * (1 - ty)},
-                                                 {1, 0, tx * (1 - ty)},
-                                                 {0, 1, (1 - tx) * ty},
-                                                 {1, 1, tx * ty}})
-                if (weight > 0)
-                    sums[static_cast<std::size_t>(j + dj) * width + static_cast<std::size_t>(i + di)] +=
-                        weight * Eigen::Vector3f(left.x(), left.y(), 1);
+        std::vector<Sum> sums(nodes + width, Sum::Zero());
+        RowWarp warp(grid, values, m_used.width, rows);
+        for (std::size_t k = 0; k < field.size();) {
+            const int y = place(k)[1];
+            warp.moveTo(y);
+            std::ranges::fill(line, Sum::Zero());
+            for (; k < field.size() && place(k)[1] == y; ++k) {
+                const int x = place(k)[0];
+                const Vec2f left = field[k] - warp.of(x);
+                const Sum value(left.x(), left.y(), 1, 0);
+                const float weight = part(x);
+                Sum* node = line.data() + x / grid.spacing;
+                node[0] += (1 - weight) * value;
+                node[1] += weight * value;
+            }
+            const float weight = part(y);
+            Sum* above = sums.data() + static_cast<std::size_t>(y / grid.spacing) * width;
+            for (std::size_t i = 0; i < width; ++i) {
+                above[i] += (1 - weight) * line[i];
+                above[width + i] += weight * line[i];
+            }
         }
         for (std::size_t node = 0; node < nodes; ++node)
             if (sums[node].z() > 0)
@@ -228,28 +252,27 @@ std::vector<float> ChartLookup::atNodes(const std::vector<Vec2f>& field, const W
 std::vector<Vec2f> ChartLookup::atTexels(std::span<const float> nodes, const WarpGrid& grid) const
 {
     std::vector<Vec2f> field(m_used.texels.size());
+    std::vector<float> rows;
+    RowWarp warp(grid, nodes, m_used.width, rows);
     for (std::size_t k = 0; k < field.size(); ++k) {
         const auto [x, y] = place(k);
-        field[k] = shortened(k, warpAt(nodes, grid, Vec2f(static_cast<float>(x), static_cast<float>(y))));
+        if (k == 0 || place(k - 1)[1] != y)
+            warp.moveTo(y);
+        field[k] = shortened(k, warp.of(x));
     }
     return field;
 }
 
 std::vector<Vec2f> ChartLookup::inverse(std::span<const float> nodes, const WarpGrid& grid) const
 {
-    constexpr int iterations = 12; // each leaves as much of the error as the warp stretches
     std::vector<Vec2f> field(m_used.texels.size());
-    for (std::size_t k = 0; k < field.size(); ++k) {
-        const auto [x, y] = place(k);
-        const Vec2f from(static_cast<float>(x), static_cast<float>(y));
-        Vec2f found = Vec2f::Zero();
-        for (int iteration = 0; iteration < iterations; ++iteration) {
-            const Vec2f before = found;
-            found = -warpAt(nodes, grid, from + found);
-            if ((found - before).squaredNorm() < 1e-6F)
-                break;
-        }
-        field[k] = found;
+    std::vector<float> columns;
+    for (std::size_t k = 0; k < field.size(); k += columns.size()) {
+        const int y = place(k)[1];
+        columns.clear();
+        for (std::size_t next = k; next < field.size() && place(next)[1] == y; ++next)
+            columns.push_back(static_cast<float>(place(next)[0]));
+        undoWarp(nodes.data(), grid, columns.data(), y, static_cast<int>(columns.size()), field[k].data());
     }
     keepInside(field);
     return field;

@@ -33,8 +33,10 @@ public:
     /// else linear between its texels.
     std::vector<std::uint8_t> colours(const Image& texture, const std::vector<Vec2f>& field) const;
 
-    /// Three values per used texel, looked up in the same way. \param values  three of each used texel.
-    std::vector<float> sampled(std::span<const float> values, const std::vector<Vec2f>& field) const;
+    /// Three values per used texel, looked up in the same way. \param values  three of each used texel, and
+    /// one more that counts nothing. \param looked  three of each; other memory than the values.
+    void sample(std::span<const float> values, const std::vector<Vec2f>& field,
+                std::span<float> looked) const;
 
     /// The field at the nodes of a grid: a mean of the texels less than a spacing away, the nearest counting
     /// most. Zero at nodes that none of them is near, on which no used texel depends.
@@ -53,19 +55,21 @@ private:
     }
     /// Whether the sample at a place takes texels of the chart only.
     bool isInside(const Vec2f& place, std::uint16_t chart) const;
-    /// Whether the 4 × 4 texels are of the chart that a cubic look-up takes.
-    bool isSquareInside(int left, int top, std::uint16_t chart) const;
-    /// Three values between texels of a chart. \param values  three of each used texel, and one more. \param
-    /// part  of the way to the next column and row.
-    std::array<float, 3> cubic(const float* values, int left, int top, const Vec2f& part) const;
     std::array<float, 3> linear(std::span<const float> values, std::size_t texel, int left, int top,
                                 const Vec2f& part) const;
     Vec2f shortened(std::size_t texel, const Vec2f& displacement) const;
+    /// Whether square × square texels are of one chart that a look-up between a texel and the next takes.
+    bool isSquare(std::size_t cell, std::uint16_t chart, int square) const
+    {
+        return m_charts[cell] == chart && m_squares[cell] >= square;
+    }
+    void findSquares();
     void findSources();
 
     UsedTexels m_used;
     std::vector<std::array<int, 2>> m_places;
-    std::vector<std::uint16_t> m_charts;  ///< of all texels from 1 on; 0 where unused, and beyond the edges
+    std::vector<std::uint16_t> m_charts; ///< of all texels from 1 on; 0 where unused, and beyond the edges
+    std::vector<std::uint8_t> m_squares; ///< of all texels how many texels beside each other are of its chart
     std::vector<std::uint32_t> m_indices; ///< of all texels among the used ones
     std::vector<std::uint32_t>
         m_sources; ///< per used texel that from which field and colour are carried to it

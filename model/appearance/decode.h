@@ -13,6 +13,8 @@
 
 namespace quadrille {
 
+class RowWarp;
+
 /// What a decoder needs besides its model while it makes a texture; kept from one to the next it need not be
 /// allocated again. One for each thread.
 struct DecodeScratch
@@ -69,7 +71,6 @@ private:
         int length = 0;
         std::uint16_t chart = 0; ///< from 1 on
     };
-    class RowWarp;
     using LookedUp = std::array<std::uint32_t, lookupsAtOnce>;
 
     void align(std::span<const float> coefficients, DecodeScratch& scratch) const;

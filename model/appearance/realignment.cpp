@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/appearance/alignment.h"
+#include "model/appearance/decodekernels.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -14,23 +15,25 @@ std::vector<std::uint8_t> realigned(const Image& texture, std::span<const float>
                                     const ChartLookup& charts, const WarpGrid& grid)
 {
     constexpr int iterations = 3;
-    const std::vector<std::uint8_t> colours = charts.colours(texture);
-    const std::vector<float> wanted(colours.begin(), colours.end());
+    std::vector<std::uint8_t> colours = charts.colours(texture);
+    std::vector<float> wanted(colours.begin(), colours.end());
+    wanted.push_back(0); // see ChartLookup::sample
     const std::vector<Vec2f> toAligned = charts.inverse(warp, grid);
     const std::vector<Vec2f> toTexture = charts.atTexels(warp, grid);
-    std::vector<float> aligned = charts.sampled(wanted, toAligned);
+    std::vector<float> aligned(wanted.size());
+    std::vector<float> missing(wanted.size());
+    std::vector<float> change(wanted.size());
+    charts.sample(wanted, toAligned, aligned);
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        std::vector<float> missing = charts.sampled(aligned, toTexture);
+        charts.sample(aligned, toTexture, missing);
         for (std::size_t i = 0; i < missing.size(); ++i)
             missing[i] = wanted[i] - missing[i];
-        const std::vector<float> change = charts.sampled(missing, toAligned);
+        charts.sample(missing, toAligned, change);
         for (std::size_t i = 0; i < aligned.size(); ++i)
             aligned[i] = std::clamp(aligned[i] + change[i], 0.0F, 255.0F);
     }
-    std::vector<std::uint8_t> rounded(aligned.size());
-    std::ranges::transform(aligned, rounded.begin(),
-                           [](float value) { return static_cast<std::uint8_t>(std::lround(value)); });
-    return rounded;
+    roundToBytes(aligned.data(), static_cast<int>(colours.size()), colours.data());
+    return colours;
 }
 
 } // namespace

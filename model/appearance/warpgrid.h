@@ -11,7 +11,8 @@
 namespace quadrille {
 
 /// Nodes over an atlas at which warps are kept: node (i, j) lies at the centre of texel (i · spacing, j ·
-/// spacing), the last ones perhaps beyond the edge; in between warps are bilinear.
+/// spacing), the last ones perhaps beyond the edge; in between warps are bilinear, beyond them as at the
+/// last.
 struct WarpGrid
 {
     int spacing = 4; ///< texels
@@ -27,10 +28,6 @@ struct WarpGrid
     std::int64_t nodes() const { return std::int64_t{width} * height; }
     bool operator==(const WarpGrid&) const = default;
 };
-
-/// A warp between its nodes; beyond them, that of the last. \param nodes  x, y of each, in rows. \param place
-/// texels.
-Vec2f warpAt(std::span<const float> nodes, const WarpGrid& grid, const Vec2f& place);
 
 /// What moves a texture whose backward warp is `from` to where one with the warp `to` lies: d with d(x) =
 /// to(x) − from(x + d(x)), so that both show the same at x + d(x) and at x. Zero where both are the same. By

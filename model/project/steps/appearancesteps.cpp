@@ -138,7 +138,7 @@ BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
         completion.mask.clear();
         completion.strokes.clear();
     }
-    step.version = 5;
+    step.version = 6;
     step.settings = writeFields(learned).dump() + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.files = [work, sequences](const Progress& progress) {

@@ -73,7 +73,9 @@ FlowFiles AppearanceWork::flows(const AppearanceTraining& training, const Progre
     }
     const TopologyData& layout = training.topology->data();
     const BuildAppearanceOptions usual = options();
+    constexpr std::int64_t version = 2; // raised where the same textures get other flows
     ContentHasher settings;
+    settings.add(version);
     settings.add(std::int64_t{usual.gutter});
     settings.add(std::int64_t{usual.alignment.spacing});
     settings.addBytes(std::as_bytes(std::span(layout.uvs)));

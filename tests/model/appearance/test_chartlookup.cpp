@@ -3,6 +3,7 @@
 #include "atlas.h"
 #include "model/appearance/chartlookup.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace quadrille;
@@ -93,6 +94,33 @@ TEST(ChartLookup, LooksColoursUpBetweenTexelsOfTheChart)
     EXPECT_EQ(moved[3], 45);
     EXPECT_EQ(moved[12], 60);
     EXPECT_EQ(still[12], 60);
+}
+
+TEST(ChartLookup, IsExactForPolynomialsOfTheSecondDegree)
+{
+    const ChartLookup charts = wholeAtlas(40);
+    const auto value = [](float x, float y, int c) {
+        return 0.02F * x * x - 0.05F * x * y + static_cast<float>(c) * y;
+    };
+    std::vector<float> values;
+    for (std::size_t k = 0; k < 1600; ++k) {
+        const auto [x, y] = charts.place(k);
+        for (int c = 0; c < 3; ++c)
+            values.push_back(value(static_cast<float>(x), static_cast<float>(y), c));
+    }
+    values.push_back(NAN); // counts nothing
+    const std::vector<Vec2f> field(1600, Vec2f(-0.375F, 1.25F));
+    std::vector<float> looked(4800);
+    charts.sample(values, field, looked);
+    for (std::size_t k = 0; k < 1600; ++k) {
+        const auto [x, y] = charts.place(k);
+        if (x < 2 || y < 1 || x > 37 || y > 36)
+            continue; // linear
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(looked[3 * k + static_cast<std::size_t>(c)],
+                        value(static_cast<float>(x) - 0.375F, static_cast<float>(y) + 1.25F, c), 1e-3F)
+                << x << ' ' << y;
+    }
 }
 
 TEST(ChartLookup, NeverMixesColoursOfTwoCharts)

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/appearance/decodekernels.h"
-#include "model/appearance/warpgrid.h"
+#include "model/appearance/lookupkernels.h"
+#include "model/appearance/rowwarp.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numeric>
 
 using namespace quadrille;
 
@@ -31,21 +34,68 @@ Vec2f atNode(const std::vector<float>& nodes, int i, int j)
     return {nodes[node], nodes[node + 1]};
 }
 
+/// A warp between its nodes, and beyond them that of the last.
+Vec2f plainWarpAt(const std::vector<float>& nodes, const Vec2f& place)
+{
+    const auto along = [&](float at, int count) {
+        const float position =
+            std::clamp(at / static_cast<float>(grid.spacing), 0.0F, static_cast<float>(count - 1));
+        const int node = std::min(static_cast<int>(position), count - 2);
+        return std::pair(node, position - static_cast<float>(node));
+    };
+    const auto [i, tx] = along(place.x(), grid.width);
+    const auto [j, ty] = along(place.y(), grid.height);
+    return (1 - ty) * ((1 - tx) * atNode(nodes, i, j) + tx * atNode(nodes, i + 1, j)) +
+           ty * ((1 - tx) * atNode(nodes, i, j + 1) + tx * atNode(nodes, i + 1, j + 1));
+}
+
 } // namespace
 
-TEST(WarpGrid, IsBilinearBetweenNodesAndConstantBeyondThem)
+TEST(RowWarp, IsBilinearBetweenNodes)
 {
     std::vector<float> nodes(static_cast<std::size_t>(2 * grid.nodes()), 0.0F);
     const auto place = 2 * static_cast<std::size_t>(1 * grid.width + 2);
     nodes[place] = 8;
     nodes[place + 1] = -4;
-    EXPECT_EQ(warpAt(nodes, grid, {8, 4}), Vec2f(8, -4));
-    EXPECT_EQ(warpAt(nodes, grid, {9, 4}), Vec2f(6, -3));
-    EXPECT_EQ(warpAt(nodes, grid, {9, 5}), Vec2f(4.5F, -2.25F));
-    EXPECT_EQ(warpAt(nodes, grid, {12, 4}), Vec2f(0, 0));
+    std::vector<float> rows;
+    RowWarp warp(grid, nodes, 40, rows);
+    warp.moveTo(4);
+    EXPECT_EQ(warp.of(8), Vec2f(8, -4));
+    EXPECT_EQ(warp.of(9), Vec2f(6, -3));
+    EXPECT_EQ(warp.of(12), Vec2f(0, 0));
+    warp.moveTo(5);
+    EXPECT_EQ(warp.of(9), Vec2f(4.5F, -2.25F));
+}
+
+TEST(RowWarp, MovesOnByAnyNumberOfRows)
+{
     const std::vector<float> waves = wave(0);
-    EXPECT_EQ(warpAt(waves, grid, {-9, -7}), atNode(waves, 0, 0));
-    EXPECT_EQ(warpAt(waves, grid, {400, 300}), atNode(waves, grid.width - 1, grid.height - 1));
+    std::vector<float> rows;
+    RowWarp warp(grid, waves, 40, rows);
+    for (const int y : {0, 1, 6, 7, 16, 23}) {
+        warp.moveTo(y);
+        for (int x = 0; x < 40; ++x)
+            EXPECT_LT(
+                (warp.of(x) - plainWarpAt(waves, Vec2f(static_cast<float>(x), static_cast<float>(y)))).norm(),
+                1e-5F)
+                << x << ' ' << y;
+    }
+}
+
+TEST(UndoWarp, LeadsBackAlsoFromBeyondTheNodes)
+{
+    const std::vector<float> waves = wave(0.3F);
+    std::vector<float> columns(39); // two whole registers and a part of one
+    std::iota(columns.begin(), columns.end(), 0.0F);
+    for (int y = 0; y < 24; ++y) {
+        std::vector<float> found(2 * columns.size());
+        undoWarp(waves.data(), grid, columns.data(), y, static_cast<int>(columns.size()), found.data());
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const Vec2f back(found[2 * i], found[2 * i + 1]);
+            const Vec2f end = Vec2f(columns[i], static_cast<float>(y)) + back;
+            EXPECT_LT((back + plainWarpAt(waves, end)).norm(), 1e-3F) << i << ' ' << y;
+        }
+    }
 }
 
 TEST(WarpBetween, IsZeroWhereBothAreTheSame)
@@ -77,7 +127,7 @@ TEST(WarpBetween, LeadsToWhatShowsTheSame)
         for (int i = 0; i < grid.width; ++i) {
             const Vec2f place(static_cast<float>(i * grid.spacing), static_cast<float>(j * grid.spacing));
             const Vec2f moved = atNode(between, i, j);
-            EXPECT_LT((moved + warpAt(from, grid, place + moved) - atNode(to, i, j)).norm(), 0.01F);
+            EXPECT_LT((moved + plainWarpAt(from, place + moved) - atNode(to, i, j)).norm(), 0.01F);
         }
     }
 }
