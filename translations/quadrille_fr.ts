@@ -4894,8 +4894,8 @@
         <translation>Déformations propres</translation>
     </message>
     <message>
-        <source>Where texels move together: the colour says which way, its strength how far</source>
-        <translation>Où des texels bougent ensemble : la couleur dit vers où, sa force de combien</translation>
+        <source>Where texels move together: arrows and colours say which way, their length and strength how far</source>
+        <translation>Où des texels bougent ensemble : flèches et couleurs disent vers où, leur longueur et leur force de combien</translation>
     </message>
     <message>
         <source>Eigen textures and Eigen warps stand here once the model is built.</source>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A model of textures from its making to what is seen of it.
 #include "appearancefixture.h"
+#include "editor/workspaces/appearance/componentpictures.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/legendbar.h"
 #include "widgets/controls/messagestrip.h"
@@ -254,6 +255,8 @@ private slots:
         QCOMPARE(shown().content(), TextureContent::Component);
         QCOMPARE(shown().component(), (ShownTexture::Component{ShownTexture::Space::Warps, 1}));
         QTRY_VERIFY(!pair().difference.image.isNull() && view().image() == pair().difference.image);
+        const AppearanceDecoder& decoder = *workspace().appearance().opened()->decoder;
+        QVERIFY(eigenWarpPicture(decoder, 1, 4) != eigenWarpPicture(decoder, 1, 0)); // arrows
         QTest::keyClick(warps, Qt::Key_Home);
         QTRY_COMPARE(shown().component().index, 0);
         chooseMode(TextureMode::SideBySide);

@@ -174,6 +174,12 @@ private slots:
     void theTextureBetweenTwoFramesIsComparedWithABlend()
     {
         build();
+        const auto heightOfEnd = [this] {
+            const MeshSequence dressed = shown().dressed(*context().media.sequence("quick"));
+            return dressed.frame(FrameIndex(2)).positions().back().y();
+        };
+        const float heightOfLast = heightOfEnd();
+        QVERIFY(heightOfLast > 3);
         Workspace::showPanel(find<QWidget>("betweenPanel"));
         QTest::mouseClick(find<QPushButton>("betweenFromTake"), Qt::LeftButton);
         QCOMPARE(shown().content(), TextureContent::Between);
@@ -196,6 +202,11 @@ private slots:
         shown().setWeight(0.5);
         QTRY_VERIFY(pair().second.image != pair().first.image);
         QTRY_COMPARE(workspace().scene().textureOf("quick"), pair().second.image);
+        QVERIFY(heightOfEnd() > 0.3F * heightOfLast && heightOfEnd() < 0.7F * heightOfLast);
+        shown().setWeight(0);
+        QCOMPARE(heightOfEnd(), 0.0F);
+        shown().setContent(TextureContent::Frame);
+        QCOMPARE(heightOfEnd(), heightOfLast);
         QTest::mouseClick(find<QPushButton>("betweenFromShow"), Qt::LeftButton);
         QTRY_COMPARE(workspace().appearance().frame(), std::optional(NamedFrame{"slow", FrameIndex(0)}));
     }

@@ -6,6 +6,8 @@
 #include "model/appearance/reducedmodel.h"
 
 #include <QColor>
+#include <QLineF>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -18,6 +20,7 @@ constexpr double middleGrey = 127.5;
 constexpr double mostOfThem = 0.98; ///< of the values, which the colours tell apart
 constexpr double halfTurn = 180;    // degrees
 constexpr double fullTurn = 360;    // degrees
+constexpr int arrowsInThumbnails = 7;
 
 /// The size that nearly all of some values stay below.
 float usualSize(std::vector<float> sizes)
@@ -36,8 +39,9 @@ QRgb* texelOf(QImage& picture, std::uint32_t texel)
     return reinterpret_cast<QRgb*>(picture.scanLine(static_cast<int>(texel / width))) + texel % width;
 }
 
-/// Bilinear between nodes, as the decoder looks warps up.
-Vec2f warpAt(const AppearanceModel& model, int index, int x, int y)
+/// Which way a texel moves: a warp says where it comes from. Bilinear between nodes, as the decoder looks
+/// warps up.
+Vec2f motionAt(const AppearanceModel& model, int index, int x, int y)
 {
     const WarpGrid& grid = model.grid;
     const int i = std::min(x / grid.spacing, std::max(0, grid.width - 2));
@@ -49,8 +53,45 @@ Vec2f warpAt(const AppearanceModel& model, int index, int x, int y)
             std::int64_t{std::min(row, grid.height - 1)} * grid.width + std::min(column, grid.width - 1);
         return Vec2f(model.warps.component(index, 2 * node), model.warps.component(index, 2 * node + 1));
     };
-    return (1 - down) * ((1 - across) * at(i, j) + across * at(i + 1, j)) +
-           down * ((1 - across) * at(i, j + 1) + across * at(i + 1, j + 1));
+    return -((1 - down) * ((1 - across) * at(i, j) + across * at(i + 1, j)) +
+             down * ((1 - across) * at(i, j + 1) + across * at(i + 1, j + 1)));
+}
+
+/// White with a dark edge, which is seen on any colour.
+void drawArrow(QPainter& painter, const QLineF& shaft, double size)
+{
+    constexpr double spread = 150; // degrees from the shaft to the sides of its head
+    constexpr double edge = 0.28;  // widths of pens, in sizes
+    constexpr double line = 0.12;
+    QLineF side(shaft.p2(), shaft.p2() + QPointF(size, 0));
+    side.setLength(0.35 * shaft.length());
+    for (const auto& [color, width] : {std::pair(QColor(0, 0, 0, 160), edge), {QColor(Qt::white), line}}) {
+        painter.setPen(QPen(color, width * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawLine(shaft);
+        for (const double turn : {spread, -spread}) {
+            side.setAngle(shaft.angle() + turn);
+            painter.drawLine(side);
+        }
+    }
+}
+
+void drawArrows(QImage& picture, const AppearanceModel& model, int index, float longest, int count)
+{
+    constexpr float least = 0.12F; // shorter ones are dots
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double apart = static_cast<double>(picture.width()) / count;
+    for (double y = apart / 2; y < picture.height(); y += apart) {
+        for (double x = apart / 2; x < picture.width(); x += apart) {
+            const QPoint texel(static_cast<int>(x), static_cast<int>(y));
+            const Vec2f motion = motionAt(model, index, texel.x(), texel.y()) / longest;
+            if (motion.norm() < least || qAlpha(picture.pixel(texel)) == 0)
+                continue;
+            const Vec2f shown = motion * std::min(1.0F, 1 / motion.norm()) * static_cast<float>(apart / 2);
+            const QPointF half(static_cast<double>(shown.x()), static_cast<double>(shown.y()));
+            drawArrow(painter, {QPointF(x, y) - half, QPointF(x, y) + half}, apart / 2);
+        }
+    }
 }
 
 } // namespace
@@ -75,7 +116,7 @@ QImage eigenTexturePicture(const AppearanceModel& model, int index)
     return picture;
 }
 
-QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index)
+QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index, int arrows)
 {
     const AppearanceModel& model = decoder.model();
     const QImage mean = toQImage(decoder.decode({})).convertToFormat(QImage::Format_Grayscale8);
@@ -92,9 +133,9 @@ QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index)
     for (const std::uint32_t texel : texels.texels) {
         const int x = static_cast<int>(texel) % texels.width;
         const int y = static_cast<int>(texel) / texels.width;
-        const Vec2f warp = warpAt(model, index, x, y);
-        const double strength = std::min(1.0, static_cast<double>(warp.norm() / longest));
-        const double angle = std::atan2(warp.y(), warp.x()) * halfTurn / M_PI;
+        const Vec2f motion = motionAt(model, index, x, y);
+        const double strength = std::min(1.0, static_cast<double>(motion.norm() / longest));
+        const double angle = std::atan2(motion.y(), motion.x()) * halfTurn / M_PI;
         const QColor hue = QColor::fromHsvF(
             static_cast<float>((angle < 0 ? angle + fullTurn : angle) / fullTurn), 1.0F, 1.0F);
         const int grey = mean.constScanLine(y)[x];
@@ -103,6 +144,7 @@ QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index)
         };
         *texelOf(picture, texel) = qRgb(mixed(hue.red()), mixed(hue.green()), mixed(hue.blue()));
     }
+    drawArrows(picture, model, index, longest, arrows);
     return picture;
 }
 
@@ -130,8 +172,8 @@ std::vector<ComponentPicture> componentPictures(const AppearanceModel& model, in
         const std::vector<double> shares = varianceShares(space);
         for (int index = 0; index < space.count; ++index) {
             drawing.report(std::ssize(pictures), count);
-            const QImage picture =
-                isWarp ? eigenWarpPicture(decoder, index) : eigenTexturePicture(*small, index);
+            const QImage picture = isWarp ? eigenWarpPicture(decoder, index, arrowsInThumbnails)
+                                          : eigenTexturePicture(*small, index);
             pictures.push_back({isWarp, index, shares[static_cast<std::size_t>(index)],
                                 picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation)});
         }

@@ -13,9 +13,11 @@ namespace quadrille {
 /// An Eigen texture: its values as colours about grey, so strong that nearly all of them can be told apart;
 /// transparent outside of what is used.
 QImage eigenTexturePicture(const AppearanceModel& model, int index);
-/// An Eigen warp over the mean texture in grey: the colour says where texels come from, its strength how far.
-/// Right is red, down is yellow green, left is cyan, up is violet.
-QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index);
+/// An Eigen warp over the mean texture in grey: the colour says which way texels move where there is more of
+/// it, its strength how far. Right is red, down is yellow green, left is cyan, up is violet.
+/// \param arrows  that say the same, side by side in the picture's width, the longest as long as they are
+/// apart; none for 0.
+QImage eigenWarpPicture(const AppearanceDecoder& decoder, int index, int arrows);
 
 /// What a gallery shows of a component.
 struct ComponentPicture

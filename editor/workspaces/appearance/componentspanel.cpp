@@ -79,8 +79,8 @@ void ComponentsPanel::retranslate()
     m_texturesTitle->setText(tr("Eigen textures"));
     m_texturesTitle->setToolTip(tr("Which colours change together: above grey more, below it less"));
     m_warpsTitle->setText(tr("Eigen warps"));
-    m_warpsTitle->setToolTip(
-        tr("Where texels move together: the colour says which way, its strength how far"));
+    m_warpsTitle->setToolTip(tr(
+        "Where texels move together: arrows and colours say which way, their length and strength how far"));
     m_textures->setAccessibleName(m_texturesTitle->text());
     m_warps->setAccessibleName(m_warpsTitle->text());
     m_textures->setToolTip(m_texturesTitle->toolTip());

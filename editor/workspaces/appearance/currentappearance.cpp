@@ -115,11 +115,17 @@ std::optional<NamedFrame> CurrentAppearance::frame() const
 
 Texture CurrentAppearance::textureOf(const NamedFrame& frame) const
 {
-    const MeshSequence* sequence = m_context.media.sequence(QString::fromStdString(frame.sequence));
-    if (sequence == nullptr || frame.frame.value >= sequence->frameCount())
+    const MeshSequence* sequence = sequenceOf(frame);
+    if (sequence == nullptr)
         return {};
     const int index = sequence->textures.indexFor(sequence->sourceFrame(frame.frame));
     return index < 0 ? Texture() : sequence->textures.textures()[static_cast<std::size_t>(index)];
+}
+
+const MeshSequence* CurrentAppearance::sequenceOf(const NamedFrame& frame) const
+{
+    const MeshSequence* sequence = m_context.media.sequence(QString::fromStdString(frame.sequence));
+    return sequence != nullptr && frame.frame.value < sequence->frameCount() ? sequence : nullptr;
 }
 
 void CurrentAppearance::goTo(const NamedFrame& frame)

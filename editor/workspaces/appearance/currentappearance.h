@@ -46,6 +46,8 @@ public:
     std::optional<NamedFrame> frame() const;
     /// The texture that was captured with a frame; an empty one where there is none.
     Texture textureOf(const NamedFrame& frame) const;
+    /// The sequence of a frame; null while it is not open, or where the frame is beyond its end.
+    const MeshSequence* sequenceOf(const NamedFrame& frame) const;
     /// Shows a frame, of another sequence where it is of that.
     void goTo(const NamedFrame& frame);
     /// Shows a frame as soon as its sequence is shown for another reason.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/appearance/showntexture.h"
 
+#include "editor/workspaces/appearance/betweenpose.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -352,6 +354,9 @@ MeshSequence ShownTexture::dressed(const MeshSequence& sequence) const
     }
     MeshSequence shown = sequence;
     shown.textures = TextureSet::perFrame(std::move(textures));
+    if (m_content == TextureContent::Between)
+        shown.source = betweenPose(sequence, m_appearance.sequenceOf(*m_from), m_from->frame,
+                                   m_appearance.sequenceOf(*m_to), m_to->frame, m_weight);
     return shown;
 }
 

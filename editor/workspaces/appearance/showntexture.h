@@ -89,7 +89,8 @@ public:
 
     /// What is to be shown in the texture view; nothing where there is nothing to see.
     std::optional<TextureRequest> request() const;
-    /// The sequence that the view shows, in textures as they are chosen here.
+    /// The sequence that the view shows, in textures as they are chosen here; between two frames in the pose
+    /// between them as well.
     MeshSequence dressed(const MeshSequence& sequence) const;
     /// Why there is no second texture, in a sentence; empty where there is one.
     QString missing() const;

@@ -135,9 +135,11 @@ ShownPair makePair(const TextureRequest& request, const Progress& progress)
         return pair;
     pair.second = widgets::prepareTexture(toQImage(second));
     if (request.content == TextureContent::Component) {
+        constexpr int texelsOfArrow = 32;
         const AppearanceDecoder& decoder = *request.opened->decoder;
+        const int arrows = decoder.model().texels.width / texelsOfArrow;
         pair.difference =
-            widgets::prepareTexture(request.isWarp ? eigenWarpPicture(decoder, request.component)
+            widgets::prepareTexture(request.isWarp ? eigenWarpPicture(decoder, request.component, arrows)
                                                    : eigenTexturePicture(decoder.model(), request.component));
         return pair;
     }
