@@ -125,6 +125,9 @@ void AppearanceWorkspace::follow()
 
 void AppearanceWorkspace::followTake()
 {
+    // The pose between two frames stands elsewhere than the take: that is no reason to look from elsewhere.
+    if (m_shown->content() == TextureContent::Between && m_appearance->frame())
+        scene().keepCamera();
     for (const QString& name : QStringList(scene().shown()))
         scene().update(name);
 }
