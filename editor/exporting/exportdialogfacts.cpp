@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What an export dialog knows of its clips, and how it says it.
 #include "editor/context/editorcontext.h"
+#include "editor/documents/transferresults.h"
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
@@ -35,6 +36,12 @@ const MeshSequence* ExportDialog::sequence() const
         return m_context.media.sequence(nameOfClip(clip));
     if (isDataSet())
         return m_context.variations.clip(nameOfClip(clip), 1);
+    if (clip.startsWith(QLatin1String("transfers/"))) {
+        const TransferResults::State* state = m_context.transfers.resultState(nameOfClip(clip));
+        return state != nullptr && state->result ? &state->result->sequence : nullptr;
+    }
+    if (!clip.startsWith(QLatin1String("animations/")))
+        return nullptr;
     const auto result = m_context.animations.result(nameOfClip(clip));
     return result && result->isFinal ? &result->sequence : nullptr;
 }

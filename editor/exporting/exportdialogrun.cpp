@@ -8,6 +8,7 @@
 #include "editor/exporting/exportdialog.h"
 #include "editor/exporting/outsideplaces.h"
 #include "editor/exporting/picturefields.h"
+#include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/exportclaims.h"
 #include "model/project/fields/pictureoptions.h"
@@ -230,9 +231,14 @@ void ExportDialog::keep(const std::vector<ExportEntry>& entries)
         const QString clip = QString::fromStdString(what);
         const QString name = clip.section(QLatin1Char('/'), 1, 1);
         const ProjectDocument& document = m_context.document;
-        return clip.startsWith(QLatin1String("sequences/"))    ? document.sequence(name) != nullptr
-               : clip.startsWith(QLatin1String("animations/")) ? document.animation(name) != nullptr
-                                                               : document.variation(name) != nullptr;
+        if (clip.startsWith(QLatin1String("sequences/")))
+            return document.sequence(name) != nullptr;
+        if (clip.startsWith(QLatin1String("animations/")))
+            return document.animation(name) != nullptr;
+        if (clip.startsWith(QLatin1String("variations/")))
+            return document.variation(name) != nullptr;
+        return transferOfClip(document.project(), what) != nullptr ||
+               projectionOfClip(document.project(), what) != nullptr;
     };
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const QString replaced = m_replaced.value(static_cast<qsizetype>(i));

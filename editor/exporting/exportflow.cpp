@@ -8,6 +8,8 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <array>
+#include <utility>
 
 namespace quadrille {
 
@@ -55,10 +57,14 @@ void ExportFlow::exportSelection()
 QStringList ExportFlow::selectedClips() const
 {
     const Selection& selection = m_context.selection;
-    if (selection.current().section == Section::Animations && !selection.current().name.isEmpty())
-        return {QStringLiteral("animations/") + selection.current().name};
-    if (selection.current().section == Section::Variations && !selection.current().name.isEmpty())
-        return {QStringLiteral("variations/") + selection.current().name};
+    const std::array<std::pair<Section, const char*>, 4> made{{{Section::Animations, "animations/"},
+                                                               {Section::Variations, "variations/"},
+                                                               {Section::Transfers, "transfers/"},
+                                                               {Section::Projections, "projections/"}}};
+    for (const auto& [section, prefix] : made) {
+        if (selection.current().section == section && !selection.current().name.isEmpty())
+            return {QLatin1String(prefix) + selection.current().name};
+    }
     QStringList names = selection.sequences();
     if (names.isEmpty() && !selection.shownSequence().isEmpty())
         names = {selection.shownSequence()};

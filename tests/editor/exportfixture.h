@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "editor/exporting/exportdialog.h"
-#include "editortest.h"
+#include "exporting.h"
 #include "widgets/controls/messagestrip.h"
 
-#include <QComboBox>
-#include <QLineEdit>
-#include <QPushButton>
 #include <memory>
 
 namespace quadrille {
@@ -28,40 +24,12 @@ protected:
         QTest::keyClick(m_window.get(), Qt::Key_E, Qt::ControlModifier);
         QTRY_VERIFY(dialog() != nullptr);
     }
-    static ExportDialog* dialog()
-    {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* found = qobject_cast<ExportDialog*>(widget); found != nullptr && found->isVisible())
-                return found;
-        }
-        return nullptr;
-    }
-    /// Chooses a format with the keyboard.
-    static void choose(const QString& format)
-    {
-        auto* box = test::find<QComboBox>("exportFormat");
-        box->setFocus();
-        QTest::keyClick(box, Qt::Key_Home);
-        while (box->currentData().toString() != format && box->currentIndex() + 1 < box->count())
-            QTest::keyClick(box, Qt::Key_Down);
-        QCOMPARE(box->currentData().toString(), format);
-    }
-    static void type(const QString& path)
-    {
-        auto* field = test::find<QLineEdit>("exportPlace");
-        field->selectAll();
-        QTest::keyClicks(field, path);
-    }
-    static void accept() { QTest::mouseClick(test::find<QPushButton>("exportAccept"), Qt::LeftButton); }
-    static bool isDone() { return test::find<QPushButton>("exportAccept")->text() == "Close"; }
-    /// Exports, waits until all is written, and closes the dialog.
-    static void acceptAndClose()
-    {
-        accept();
-        QTRY_VERIFY(isDone());
-        accept();
-        QTRY_VERIFY(dialog() == nullptr);
-    }
+    static ExportDialog* dialog() { return test::exportDialog(); }
+    static void choose(const QString& format) { test::chooseExportFormat(format); }
+    static void type(const QString& path) { test::typeExportPlace(path); }
+    static void accept() { test::acceptExport(); }
+    static bool isDone() { return test::isExportDone(); }
+    static void acceptAndClose() { test::acceptAndCloseExport(); }
     static widgets::MessageStrip* strip() { return dialog()->findChild<widgets::MessageStrip*>(); }
 
     std::unique_ptr<QTemporaryDir> m_folder;

@@ -4,12 +4,12 @@
 #include "animatedproject.h"
 #include "dropping.h"
 #include "editor/documents/projectpaths.h"
-#include "editor/exporting/exportdialog.h"
 #include "editor/jobs/jobrunner.h"
 #include "editor/playback/player.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/constraintedits.h"
 #include "editor/workspaces/workspacetabs.h"
+#include "exporting.h"
 #include "model/core/file.h"
 #include "tests/qt/registry.h"
 
@@ -64,33 +64,15 @@ private:
         test::dropCard(take, timeline,
                        {timeline.xOfFrame(frame), timeline.trackRect(QStringLiteral("keys")).top() + 8});
     }
-    static ExportDialog* exportDialog()
-    {
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* found = qobject_cast<ExportDialog*>(widget); found != nullptr && found->isVisible())
-                return found;
-        }
-        return nullptr;
-    }
     /// Exports what is selected as a point cache.
     void exportTo(const QString& file)
     {
         key(Qt::Key_E, Qt::ControlModifier);
-        QTRY_VERIFY(exportDialog() != nullptr);
-        auto* clip = test::find<QComboBox>("exportClip");
-        QCOMPARE(clip->currentData().toString(), "animations/" + animation());
-        auto* format = test::find<QComboBox>("exportFormat");
-        format->setFocus();
-        QTest::keyClick(format, Qt::Key_Home);
-        while (format->currentData().toString() != "pc2" && format->currentIndex() + 1 < format->count())
-            QTest::keyClick(format, Qt::Key_Down);
-        auto* path = test::find<QLineEdit>("exportPlace");
-        path->selectAll();
-        QTest::keyClicks(path, file);
-        press("exportAccept");
-        QTRY_COMPARE(test::find<QPushButton>("exportAccept")->text(), QString("Close"));
-        press("exportAccept");
-        QTRY_VERIFY(exportDialog() == nullptr);
+        QTRY_VERIFY(test::exportDialog() != nullptr);
+        QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(), "animations/" + animation());
+        test::chooseExportFormat("pc2");
+        test::typeExportPlace(file);
+        test::acceptAndCloseExport();
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;

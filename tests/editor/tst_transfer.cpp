@@ -1,170 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // A performance on another body: from the pairs of triangles to the clip.
-#include "editor/context/editorcontext.h"
-#include "editor/workspaces/transfer/currenttransfer.h"
-#include "editor/workspaces/transfer/pairtool.h"
-#include "editor/workspaces/transfer/transferworkspace.h"
-#include "editor/workspaces/workspacetabs.h"
-#include "editortest.h"
+#include "editor/documents/projectpaths.h"
+#include "exporting.h"
+#include "model/core/file.h"
 #include "tests/qt/registry.h"
-#include "widgets/controls/messagestrip.h"
+#include "transferfixture.h"
 #include "widgets/graph/linechart.h"
-#include "widgets/viewport/vtkview.h"
 
-#include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
-#include <QMouseEvent>
+#include <QProcess>
 #include <QPushButton>
 #include <QToolButton>
-#include <QTreeWidget>
-#include <cmath>
-#include <memory>
+#include <filesystem>
 
 namespace quadrille {
 
-/// The window with a take of a strip that bends, and another strip that stands still.
-class TransferTest : public QObject
+class TransferTest : public TransferFixture
 {
     Q_OBJECT
 
-private:
-    static constexpr int frames = 7;
-    static constexpr std::uint32_t triangles = 8;
-
-    EditorContext& context() { return m_window->context(); }
-    ProjectDocument& document() { return context().document; }
-    TransferWorkspace& workspace() { return m_window->transfer(); }
-    CurrentTransfer& transfer() { return workspace().transfer(); }
-    widgets::SurfacePairEditor& editor() { return workspace().tool().editor(); }
-    widgets::MessageStrip& message() { return workspace().view().message(); }
-    const TransferEntry& entry() { return document().project().transfers.front(); }
-    QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
-    template <typename Widget>
-    Widget* find(const char* name)
-    {
-        return test::find<Widget>(QLatin1String(name));
-    }
-    QString advice() { return find<QLabel>("pairsAdvice")->text(); }
-    QTreeWidget* list() { return find<QTreeWidget>("pairsList"); }
-    ResultPhase phase()
-    {
-        const auto* state = transfer().state();
-        return state == nullptr ? ResultPhase::Idle : state->phase;
-    }
-
-    static std::string strip(double bend, double width)
-    {
-        std::string text;
-        const auto number = [](double value) { return std::to_string(value) + " "; };
-        for (int row = 0; row < 5; ++row) {
-            for (const int side : {0, 1})
-                text +=
-                    "v " + number(0.4 * row) + number(0.05 * bend * row * row) + number(width * side) + "\n";
-        }
-        for (int row = 1; row < 8; row += 2) {
-            const auto corner = [&](int i) { return std::to_string(row + i) + " "; };
-            text +=
-                "f " + corner(0) + corner(1) + corner(3) + "\nf " + corner(0) + corner(3) + corner(2) + "\n";
-        }
-        return text;
-    }
-    void write(const QString& file, const std::string& text)
-    {
-        std::ofstream(QDir(m_folder->path()).filePath(file).toStdString()) << text;
-    }
-    Project takes()
-    {
-        Project project;
-        project.characters = {{.name = "dancer"}, {.name = "scan"}};
-        const QDir folder(m_folder->path());
-        project.sequences = {
-            {.name = "dance", .character = "dancer", .source = folder.filePath("dance").toStdString()},
-            {.name = "stone", .character = "scan", .source = folder.filePath("stone.obj").toStdString()}};
-        return project;
-    }
-    Project transferred(std::uint32_t pairs = triangles)
-    {
-        Project project = takes();
-        TransferEntry entry;
-        entry.name = "stone dances";
-        entry.clip = "sequences/dance";
-        entry.target = {"stone", FrameIndex(0)};
-        entry.correctsContacts = false;
-        for (std::uint32_t t = 0; t < pairs; ++t)
-            entry.pairs.push_back({TriangleIndex(t), TriangleIndex(t)});
-        project.transfers = {entry};
-        return project;
-    }
-    void open(Project project)
-    {
-        document().reset(std::move(project));
-        m_window->workspaces().select("transfer");
-    }
-    void openReady(std::uint32_t pairs = triangles)
-    {
-        open(transferred(pairs));
-        QTRY_COMPARE(phase(), ResultPhase::Ready);
-        QTRY_COMPARE(workspace().scene().frameCount(), std::int64_t{frames});
-        QTRY_VERIFY(pixel(0, 0) != pixel(0, 7) && pixel(1, 0) != pixel(1, 7));
-        widgets::Turntable camera = workspace().viewport().camera();
-        camera.pitch = 60; // strips lie on the ground
-        workspace().viewport().setCamera(camera);
-        workspace().viewport().frameAll();
-    }
-    QPoint pixel(int side, std::uint32_t triangle)
-    {
-        const auto shape = workspace().viewport().figureShape(workspace().scene().figureOf(
-            side == 0 ? TransferWorkspace::templateName() : TransferWorkspace::targetName()));
-        QVector3D middle;
-        for (const std::uint32_t vertex : shape->mesh.triangles[triangle])
-            middle += shape->place(vertex) / 3.0F;
-        QPointF at;
-        workspace().viewport().camera().project(middle, workspace().viewport().view()->size(), &at);
-        return at.toPoint();
-    }
-    void mouse(QEvent::Type type, const QPoint& at)
-    {
-        QWidget* view = workspace().viewport().view();
-        const bool isMove = type == QEvent::MouseMove;
-        const bool isRelease = type == QEvent::MouseButtonRelease;
-        QMouseEvent event(type, at, view->mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
-                          isRelease ? Qt::NoButton : Qt::LeftButton, {});
-        QApplication::sendEvent(view, &event);
-    }
-    void click(int side, std::uint32_t triangle)
-    {
-        const QPoint at = pixel(side, triangle);
-        mouse(QEvent::MouseButtonPress, at);
-        mouse(QEvent::MouseButtonRelease, at);
-    }
-
 private slots:
-    void initTestCase() { test::isolate(); }
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        QDir(m_folder->path()).mkdir("dance");
-        for (int f = 0; f < frames; ++f)
-            write(QStringLiteral("dance/f_%1.obj").arg(f), strip(std::sin(0.5 * f), 0.5));
-        write("stone.obj", strip(0.1, 0.4));
-        m_window = std::make_unique<MainWindow>();
-        m_window->resize(1400, 900);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        QVERIFY(test::activate(*m_window));
-    }
-    void cleanup()
-    {
-        document().undoStack()->setClean();
-        m_window.reset();
-        m_folder.reset();
-    }
-
     void theEmptyStateMakesATransferOntoTheOtherBody()
     {
         open(takes());
@@ -231,9 +89,52 @@ private slots:
         QCOMPARE(list()->indexOfTopLevelItem(list()->currentItem()), 5);
         QVERIFY(!action("transfer.mirror")->isEnabled()); // nothing tells sides of strips
         action("transfer.removePair")->trigger();
-        QCOMPARE(entry().pairs.size(), std::size_t{7});
+        QCOMPARE(entry().pairs.size(), std::size_t{triangles - 1});
         QCOMPARE(transfer().selected(), -1);
         QVERIFY(!action("transfer.removePair")->isEnabled());
+    }
+
+    /// From no pairs to a file that the program writes again without the editor.
+    void tenPairsMakeAClipThatTheProgramRepeats()
+    {
+        open(transferred(0));
+        document().saveAs(toPath(place("strips.quadrille")));
+        QTRY_COMPARE(phase(), ResultPhase::Failed);
+        QTRY_VERIFY(workspace().scene().figureOf(TransferWorkspace::targetName()) >= 0);
+        lookDown();
+        constexpr std::uint32_t count = 10;
+        for (std::uint32_t pair = 0; pair < count; ++pair) {
+            // Bodies are drawn anew while one clicks.
+            QTRY_VERIFY((click(0, pair), editor().hint().contains("of the body")));
+            QTRY_VERIFY((click(1, pair), entry().pairs.size() == pair + 1));
+            QTRY_COMPARE(phase(), ResultPhase::Ready);
+        }
+        list()->setCurrentItem(list()->topLevelItem(4));
+        action("transfer.removePair")->trigger();
+        QCOMPARE(entry().pairs.size(), std::size_t{count - 1});
+        document().undo();
+        for (std::uint32_t pair = 0; pair < count; ++pair)
+            QCOMPARE(entry().pairs[pair], (TrianglePair{TriangleIndex(pair), TriangleIndex(pair)}));
+        QTRY_VERIFY(transfer().preview() != nullptr && transfer().preview()->posed);
+        QTRY_VERIFY(transfer().result() != nullptr);
+
+        action("transfer.export")->trigger();
+        QTRY_VERIFY(test::exportDialog() != nullptr);
+        test::chooseExportFormat("pc2");
+        test::typeExportPlace("out/strip.pc2");
+        test::acceptAndCloseExport();
+        document().save();
+        const FileContent written = readFile(toPath(place("out/strip.pc2")));
+        namespace fs = std::filesystem;
+        fs::create_directory(toPath(place("elsewhere")));
+        for (const char* name : {"dance", "stone.obj", "strips.quadrille"})
+            fs::copy(toPath(place(name)), toPath(place(QStringLiteral("elsewhere/") + name)),
+                     fs::copy_options::recursive);
+        QProcess program;
+        program.start(QStringLiteral(QUADRILLE_PROGRAM), {"rebuild", place("elsewhere/strips.quadrille")});
+        QVERIFY(program.waitForFinished(120000));
+        QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
+        QVERIFY(readFile(toPath(place("elsewhere/out/strip.pc2"))).text() == written.text());
     }
 
     void aDragIsOneStep()
@@ -341,10 +242,6 @@ private slots:
         QTest::qWait(200);
         QVERIFY(context().transfers.resultState("stone dances") == nullptr);
     }
-
-private:
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 } // namespace quadrille
