@@ -478,8 +478,8 @@
         <translation>Transferts et leur vérité</translation>
     </message>
     <message>
-        <source>How far transfers are from what they ought to be, where that is known: with quaternions and logarithms, with and without correction of the pose</source>
-        <translation>De combien les transferts s’écartent de ce qu’ils devraient être, là où on le sait : avec quaternions et logarithmes, avec et sans correction de la pose</translation>
+        <source>How far transfers are from what they ought to be, where that is known: with quaternions and logarithms, with and without correction of the pose and stretch</source>
+        <translation>De combien les transferts s’écartent de ce qu’ils devraient être, là où on le sait : avec quaternions et logarithmes, avec et sans correction de la pose et étirement</translation>
     </message>
     <message>
         <source>Mean distance of a vertex from the truth, share of the height</source>

@@ -90,10 +90,11 @@ constexpr std::array tableTexts{
         QT_TRANSLATE_NOOP(
             "Evaluation",
             "What files of models, JPEG pictures and H.264 films of the textures take, and what they lose")},
-    TableText{"transfer-error", QT_TRANSLATE_NOOP("Evaluation", "Transfers and their truth"),
-              QT_TRANSLATE_NOOP("Evaluation",
-                                "How far transfers are from what they ought to be, where that is known: with "
-                                "quaternions and logarithms, with and without correction of the pose")},
+    TableText{
+        "transfer-error", QT_TRANSLATE_NOOP("Evaluation", "Transfers and their truth"),
+        QT_TRANSLATE_NOOP("Evaluation",
+                          "How far transfers are from what they ought to be, where that is known: with "
+                          "quaternions and logarithms, with and without correction of the pose and stretch")},
 };
 static_assert(tableTexts.size() == evaluationTables.size());
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/performtransfer.h"
 
+#include "model/core/bounds.h"
 #include "model/core/error.h"
 #include "model/sequence/contacts.h"
 #include "model/sequence/feet.h"
@@ -85,6 +86,19 @@ Clip withStandingFeet(Clip clip, const TransferBodies& bodies, const TransferBod
     }
 }
 
+/// Whether the pairs are all on one part of the template: an arm, say.
+bool lieOnOnePart(std::span<const TrianglePair> pairs, const PosedMesh& reference)
+{
+    constexpr double part = 0.5; // of the extent of the whole; a leg has less, an arm and its shoulder too
+    std::vector<Vec3f> middles;
+    middles.reserve(pairs.size());
+    for (const TrianglePair& pair : pairs)
+        middles.push_back(
+            middleOf(reference.topology->triangles()[pair.onTemplate.value], reference.positions)
+                .cast<float>());
+    return boundsOf(middles).size().norm() < part * boundsOf(reference.positions).size().norm();
+}
+
 } // namespace
 
 TransferMarks transferMarks(const TransferBodies& bodies, const TransferBodies::Tell& tell,
@@ -94,6 +108,9 @@ TransferMarks transferMarks(const TransferBodies& bodies, const TransferBodies::
     for (const ProposedPair& proposed : marks.chosen)
         marks.pairs.push_back(proposed.pair);
     marks.reference = bodies.referencePose(marks.pairs, tell, progress.part(0.5, 1));
+    if (lieOnOnePart(marks.pairs, marks.reference))
+        tell("All pairs lie on one part of the template: the rest of the target only turns with them. Add "
+             "pairs on each part that turns.");
     return marks;
 }
 

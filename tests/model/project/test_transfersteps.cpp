@@ -14,6 +14,7 @@ using namespace quadrille::test;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 namespace {
 
@@ -127,6 +128,21 @@ TEST_F(TransferSteps, TakeTheMeshOfTheTemplateForAPoseOfIt)
     }
     folder.write("mesh.obj", large);
     EXPECT_THAT(said(), HasSubstr("is frame 0 of “slow”"));
+}
+
+TEST_F(TransferSteps, SayWhereAllPairsLieOnOnePart)
+{
+    const auto texts = [this] {
+        std::string all;
+        for (const StepReport& step : run("transfers").steps) {
+            for (const Issue& issue : step.issues)
+                all += issue.context.values.front().second;
+        }
+        return all;
+    };
+    EXPECT_THAT(texts(), Not(HasSubstr("on one part of the template")));
+    transfer().pairs.resize(3);
+    EXPECT_THAT(texts(), HasSubstr("All pairs lie on one part of the template"));
 }
 
 TEST_F(TransferSteps, DoNotDependOnATruth)
