@@ -5,6 +5,7 @@
 #include "editor/commands/animationedits.h"
 #include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/namebox.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "model/project/results/openanimation.h"
@@ -29,8 +30,7 @@ AnimationBar::AnimationBar(CurrentAnimation& animation, QWidget* parent)
 {
     setObjectName(QStringLiteral("animationBar"));
     m_names->setObjectName(QStringLiteral("animationNames"));
-    m_names->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_names->setMinimumContentsLength(12);
+    fitToNames(*m_names);
     m_state->setObjectName(QStringLiteral("animationState"));
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
     m_state->setMinimumWidth(1); // the window must not become wider with what a search finds

@@ -7,6 +7,7 @@
 #include "editor/errors/errortext.h"
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/appearancefields.h"
+#include "editor/fields/namebox.h"
 #include "editor/language/retranslate.h"
 #include "widgets/theme/theme.h"
 
@@ -106,8 +107,7 @@ void AppearanceBar::arrangeWidgets()
     connect(m_names, &QComboBox::activated, this, [this] {
         m_appearance.context().selection.select({Section::Appearances, m_names->currentText()});
     });
-    m_names->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_names->setMinimumContentsLength(10);
+    fitToNames(*m_names);
     m_progress->setRange(0, fullProgress);
     m_progress->setFixedWidth(progressWidth);
     m_progress->setTextVisible(false);

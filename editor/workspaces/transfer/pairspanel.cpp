@@ -44,9 +44,8 @@ PairsPanel::PairsPanel(PairTool& tool, QWidget* parent)
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(true);
     m_list->setColumnCount(bodyColumn + 1);
-    m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_list->header()->setSectionResizeMode(partColumn, QHeaderView::Stretch);
+    m_list->header()->setStretchLastSection(true);
     m_list->addAction(m_transfer.context().actions.action(QStringLiteral("transfer.mirror")));
     m_list->addAction(m_transfer.context().actions.action(QStringLiteral("transfer.removePair")));
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);

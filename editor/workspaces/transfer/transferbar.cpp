@@ -5,6 +5,7 @@
 #include "editor/commands/transferedits.h"
 #include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/namebox.h"
 #include "editor/fields/transferfields.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/transfer/currenttransfer.h"
@@ -72,8 +73,7 @@ void TransferBar::arrangeWidgets()
     connect(m_names, &QComboBox::activated, this, [this] {
         m_transfer.context().selection.select({Section::Transfers, m_names->currentText()});
     });
-    m_names->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_names->setMinimumContentsLength(10);
+    fitToNames(*m_names);
     m_progress->setRange(0, transferFullProgress);
     m_progress->setFixedWidth(transferProgressWidth);
     m_progress->setTextVisible(false);

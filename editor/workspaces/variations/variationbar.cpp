@@ -5,6 +5,7 @@
 #include "editor/commands/variationedits.h"
 #include "editor/context/editorcontext.h"
 #include "editor/fields/actionbutton.h"
+#include "editor/fields/namebox.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/variations/currentvariation.h"
 
@@ -32,8 +33,7 @@ VariationBar::VariationBar(CurrentVariation& variation, QWidget* parent)
 {
     setObjectName(QStringLiteral("variationBar"));
     m_names->setObjectName(QStringLiteral("variationNames"));
-    m_names->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_names->setMinimumContentsLength(12);
+    fitToNames(*m_names);
     m_state->setObjectName(QStringLiteral("variationState"));
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
     makeActions();
