@@ -97,9 +97,11 @@ void rate(TransferPreview& preview)
 } // namespace
 
 TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
-                                       const TransferPreviewPointer& before, const Progress& progress,
+                                       TransferPreviewPointer earlier, const Progress& progress,
                                        const std::function<void(TransferPreviewPointer)>& show)
 {
+    // `show` may put another one where it came from.
+    const TransferPreviewPointer before = std::move(earlier);
     SequenceOpener& opener = *results.opener();
     const double unitsPerMetre = 1 / opener.project().settings.axes.metresPerUnit;
     const UpAxis up = opener.project().settings.axes.up;

@@ -51,7 +51,7 @@ using TransferPreviewPointer = std::shared_ptr<const TransferPreview>;
 /// without pairs and places; may be empty. \throws Error where clip or target cannot be opened, or have no
 /// such frame; ProjectInvalid where there is no such transfer; Cancelled.
 TransferPreviewPointer previewTransfer(const ProjectResults& results, const std::string& name,
-                                       const TransferPreviewPointer& before, const Progress& progress = {},
+                                       TransferPreviewPointer before, const Progress& progress = {},
                                        const std::function<void(TransferPreviewPointer)>& show = {});
 
 /// A transfer that was computed.
