@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/synthesis/finishing/footdrift.h"
 
+#include "model/synthesis/finishing/turnkernel.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <vector>
@@ -16,21 +20,17 @@ namespace {
 /// Frames before and behind a transition in which a foot that stands there keeps it in its place.
 constexpr int driftContext = 8;
 
-/// A turn over the ground with what points are turned by.
-struct GroundTurn
+Vec2d turned(const TurnParts& turn, const Vec2d& way)
 {
-    GroundTurn() = default;
-    explicit GroundTurn(double turn) : angle(turn), cosine(std::cos(turn)), sine(std::sin(turn)) {}
+    return {turn.cosine * way.x() - turn.sine * way.y(), turn.sine * way.x() + turn.cosine * way.y()};
+}
 
-    Vec2d operator()(const Vec2d& way) const
-    {
-        return {cosine * way.x() - sine * way.y(), sine * way.x() + cosine * way.y()};
-    }
-
-    double angle = 0;
-    double cosine = 1;
-    double sine = 0;
-};
+/// Of the difference of two angles of at most a half turn each: at most a half turn.
+double nearestTurn(double angle)
+{
+    constexpr double half = std::numbers::pi;
+    return angle > half ? angle - 2 * half : angle <= -half ? angle + 2 * half : angle;
+}
 
 } // namespace
 
@@ -157,20 +157,21 @@ private:
         NodeIndex destination = 0;
         double lambda = 0;
         std::uint32_t standing = 0; ///< in the clip
-        GroundTurn sourceTurn;
-        GroundTurn destinationTurn;
         Vec2d centre = Vec2d::Zero();
     };
 
     /// From the centre of the blended pose to a foot.
-    Vec2d reach(const Step& step, std::size_t foot) const
+    Vec2d reach(std::size_t t, std::size_t foot) const
     {
-        return (1 - step.lambda) * step.sourceTurn(m_feet.reach(step.source, foot)) +
-               step.lambda * step.destinationTurn(m_feet.reach(step.destination, foot));
+        const Step& step = m_steps[t];
+        return (1 - step.lambda) * turned(sourceTurn(t), m_feet.reach(step.source, foot)) +
+               step.lambda * turned(destinationTurn(t), m_feet.reach(step.destination, foot));
     }
+    const TurnParts& sourceTurn(std::size_t t) const { return m_turns[t]; }
+    const TurnParts& destinationTurn(std::size_t t) const { return m_turns[m_steps.size() + t]; }
     void setSteps(NodeIndex i, NodeIndex j, int length, int sourceWindow, int destinationWindow);
-    void turn(Step& step, const Step& before) const;
-    Vec2d wayOfCentre(const Step& before, const Step& now) const;
+    void setTurns();
+    Vec2d wayOfCentre(std::size_t t) const;
     void closeGaps(std::uint32_t bit);
     double driftOf(std::size_t foot) const;
 
@@ -180,6 +181,9 @@ private:
     std::size_t m_longestGap;
     Advances m_advances;
     std::vector<Step> m_steps;
+    // Of the source by step, then of the destination.
+    std::vector<double> m_angles;
+    std::vector<TurnParts> m_turns;
     std::vector<Vec2d> m_places; ///< of one foot, by step
 };
 
@@ -200,21 +204,34 @@ void FootFollower::setSteps(NodeIndex i, NodeIndex j, int length, int sourceWind
     }
 }
 
-void FootFollower::turn(Step& step, const Step& before) const
+void FootFollower::setTurns()
 {
-    const auto between = static_cast<double>(m_roots.turns(step.source, step.destination));
-    const double source = before.sourceTurn.angle;
-    step.sourceTurn =
-        GroundTurn(source - step.lambda * wrappedAngle(source + between - before.destinationTurn.angle));
-    step.destinationTurn = GroundTurn(step.sourceTurn.angle + between);
+    const std::size_t count = m_steps.size();
+    m_angles.resize(2 * count);
+    m_turns.resize(2 * count);
+    double source = 0;
+    double betweenBefore = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+        const Step& step = m_steps[t];
+        const auto between = static_cast<double>(m_roots.turns(step.source, step.destination));
+        if (t > 0)
+            source -= step.lambda * nearestTurn(between - betweenBefore);
+        betweenBefore = between;
+        m_angles[t] = source;
+        m_angles[count + t] = source + between;
+    }
+    turnsOf(m_angles, m_turns);
 }
 
-/// As transitionMotion has it.
-Vec2d FootFollower::wayOfCentre(const Step& before, const Step& now) const
+/// Since the step before, as transitionMotion has it.
+Vec2d FootFollower::wayOfCentre(std::size_t t) const
 {
-    return (1 - before.lambda) * before.sourceTurn(m_feet.centre(now.source) - m_feet.centre(before.source)) +
-           before.lambda *
-               before.destinationTurn(m_feet.centre(now.destination) - m_feet.centre(before.destination));
+    const Step& before = m_steps[t - 1];
+    const Step& now = m_steps[t];
+    return (1 - before.lambda) *
+               turned(sourceTurn(t - 1), m_feet.centre(now.source) - m_feet.centre(before.source)) +
+           before.lambda * turned(destinationTurn(t - 1),
+                                  m_feet.centre(now.destination) - m_feet.centre(before.destination));
 }
 
 void FootFollower::closeGaps(std::uint32_t bit)
@@ -270,21 +287,17 @@ double FootFollower::drift(NodeIndex i, NodeIndex j, int length, int sourceWindo
         standing |= step.standing;
     if (standing == 0)
         return 0;
-    Step& front = m_steps.front();
-    front.sourceTurn = {};
-    front.destinationTurn = GroundTurn(static_cast<double>(m_roots.turns(front.source, front.destination)));
-    front.centre.setZero();
-    for (std::size_t t = 1; t < m_steps.size(); ++t) {
-        turn(m_steps[t], m_steps[t - 1]);
-        m_steps[t].centre = m_steps[t - 1].centre + wayOfCentre(m_steps[t - 1], m_steps[t]);
-    }
+    setTurns();
+    m_steps.front().centre.setZero();
+    for (std::size_t t = 1; t < m_steps.size(); ++t)
+        m_steps[t].centre = m_steps[t - 1].centre + wayOfCentre(t);
     double greatest = 0;
     for (std::size_t foot = 0; foot < m_feet.count(); ++foot) {
         if ((standing >> foot & 1U) == 0)
             continue;
         m_places.clear();
-        for (const Step& step : m_steps)
-            m_places.push_back(step.centre + reach(step, foot));
+        for (std::size_t t = 0; t < m_steps.size(); ++t)
+            m_places.push_back(m_steps[t].centre + reach(t, foot));
         closeGaps(1U << foot);
         greatest = std::max(greatest, driftOf(foot));
     }

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
 #include "model/synthesis/clips/stepcosts.h"
+#include "model/synthesis/finishing/turnkernel.h"
 #include "tests/model/synthesis/draggedfeet.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <vector>
 
 using namespace quadrille;
 using test::Walker;
@@ -71,6 +74,20 @@ TEST(FootDrift, IsTheSameOnAnyNumberOfThreads)
     const Table<float> parallel = walker.drifts();
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_TRUE((walker.drifts() == parallel).all());
+}
+
+TEST(FootDrift, KnowsSinesAndCosines)
+{
+    std::vector<double> angles;
+    for (int i = -4000; i <= 4000; ++i)
+        angles.push_back(0.07 * i);
+    std::vector<TurnParts> turns(angles.size());
+    turnsOf(angles, turns);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        // As the header promises.
+        EXPECT_NEAR(turns[i].cosine, std::cos(angles[i]), 1e-10) << angles[i];
+        EXPECT_NEAR(turns[i].sine, std::sin(angles[i]), 1e-10) << angles[i];
+    }
 }
 
 TEST(FootDrift, StopsWhenCancelled)
