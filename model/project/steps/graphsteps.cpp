@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <utility>
 
 namespace quadrille {
 
@@ -83,7 +84,7 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
 BuildStep driftStep(const CharacterInputs& work)
 {
     BuildStep step = work.step(graphstep::drifts);
-    step.version = 2;
+    step.version = 3;
     const double fps = work.opener->project().settings.fps;
     const UpAxis up = work.opener->project().settings.axes.up;
     step.settings = nlohmann::json({fps}).dump();
@@ -156,12 +157,14 @@ BuildStep graphStep(const CharacterInputs& work)
                       sequences);
         addComponents(components, "motion", graph.alpha, measured->motion.connectivity, costs->layout(),
                       sequences);
+        // One after the other: from a list of all they would be copied.
         Result result;
-        result.tables = {
-            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", graphs.motion),
-            graphTable("essential-graph", "The Essential graph; essential-graph-edges tells more.",
-                       graphs.essential),
-            std::move(statistics).table(), std::move(components).table()};
+        result.tables.push_back(
+            graphTable("motion-graph", "The motion graph; motion-graph-edges tells more.", graphs.motion));
+        result.tables.push_back(graphTable(
+            "essential-graph", "The Essential graph; essential-graph-edges tells more.", graphs.essential));
+        result.tables.push_back(std::move(statistics).table());
+        result.tables.push_back(std::move(components).table());
         return result;
     };
     return step;
@@ -180,9 +183,12 @@ BuildStep edgeStep(const CharacterInputs& work)
         const ProjectSettings& settings = work.opener->project().settings;
         context.forgetUnused();
         const FrameLayout layout = layoutOf(*resultOf(graphstep::poseDistance));
+        constexpr std::uint64_t bytesOfPair = 12; // of the tables that are read at once
+        makeRoomFor(bytesOfPair * static_cast<std::uint64_t>(layout.frameCount()) *
+                    static_cast<std::uint64_t>(layout.frameCount()));
         auto both = context.resultOf(graphs);
-        const Digraph motion = storedGraph(*both, "motion-graph", layout.frameCount());
-        const Digraph essential = storedGraph(*both, "essential-graph", layout.frameCount());
+        Digraph motion = storedGraph(*both, "motion-graph", layout.frameCount());
+        Digraph essential = storedGraph(*both, "essential-graph", layout.frameCount());
         both.reset();
         const std::vector<const Digraph*> all{&motion, &essential};
         std::vector<std::vector<EdgeCost>> costs;
@@ -211,11 +217,17 @@ BuildStep edgeStep(const CharacterInputs& work)
                        costs, progress.part(0, 0.9));
         }
         Result result;
-        result.tables = {
-            edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.", motion,
-                      costs[0], layout, work.sequences),
-            edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.", essential,
-                      costs[1], layout, work.sequences)};
+        // Either goes as soon as it is a table.
+        const auto add = [&](const char* name, const char* description, Digraph&& graph,
+                             std::vector<EdgeCost>&& edgeCosts) {
+            const Digraph own = std::move(graph);
+            const std::vector<EdgeCost> ownCosts = std::move(edgeCosts);
+            result.tables.push_back(edgeTable(name, description, own, ownCosts, layout, work.sequences));
+        };
+        add("motion-graph-edges", "The motion graph: local minima of the transition cost.", std::move(motion),
+            std::move(costs[0]));
+        add("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
+            std::move(essential), std::move(costs[1]));
         return result;
     };
     return step;
