@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/parametric/weightspace.h"
+
+#include <vector>
+
+namespace quadrille {
+
+/// Where transitions leave and enter a space, besides the place where it is played. They belong to the space,
+/// so that all that is known of them is computed once, however many dimensions there are.
+struct TransitionPlaces
+{
+    int dimension = 0;
+    SpacePoint step{};                ///< of each axis: by so much a place moves a frame at most
+    std::vector<SpacePoint> places;   ///< all within the space, none twice
+    std::vector<NodeWeights> weights; ///< of each place
+};
+
+/// The nodes of a space, then a grid over the range of its takes; grid points outside of the space are taken
+/// to their nearest places within.
+/// \param steps  of each axis' range, at least 1 (IA4D section 3.2.4: 10).
+TransitionPlaces transitionPlaces(const WeightSpace& space, int steps);
+
+/// In how many frames a place moves to another one.
+int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to);
+
+} // namespace quadrille
