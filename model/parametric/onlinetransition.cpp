@@ -17,12 +17,6 @@ namespace {
 /// Bounds in single precision are no more than this share of the greatest distance too high.
 constexpr double boundSlack = 2e-6;
 
-std::size_t nearestFrame(double frame, std::size_t frames, bool isCyclic)
-{
-    const auto nearest = static_cast<std::size_t>(std::max(std::floor(frame + 0.5), 0.0));
-    return isCyclic ? nearest % frames : std::min(nearest, frames - 1);
-}
-
 /// A blend as four nodes; what is not needed repeats a node with weight 0.
 std::array<std::size_t, 4> paddedNodes(const NodeWeights& weights)
 {

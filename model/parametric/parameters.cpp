@@ -127,9 +127,9 @@ Eigen::RowVectorXd monomials(const SpacePoint& scaled, int dimension)
 }
 
 /// Places a twentieth of each range apart, as far as they lie in the space, and the takes' own.
-std::vector<SpacePoint> samplePlaces(const WeightSpace& space, const SpacePoint& least,
-                                     const SpacePoint& greatest)
+std::vector<SpacePoint> samplePlaces(const WeightSpace& space)
 {
+    const auto [least, greatest] = space.range();
     constexpr int steps = 20;
     std::vector<SpacePoint> places;
     std::array<int, 3> counts{1, 1, 1};
@@ -240,15 +240,7 @@ ParameterMap fitParameterMap(const WeightSpace& space, const std::vector<SpacePa
     if (map.dimension == 0)
         return map;
     const auto dimension = static_cast<std::size_t>(map.dimension);
-    SpacePoint leastPlace = space.nodes().front().place;
-    SpacePoint greatestPlace = leastPlace;
-    for (std::size_t t = 0; t < space.takeCount(); ++t) {
-        for (std::size_t d = 0; d < dimension; ++d) {
-            leastPlace[d] = std::min(leastPlace[d], space.nodes()[t].place[d]);
-            greatestPlace[d] = std::max(greatestPlace[d], space.nodes()[t].place[d]);
-        }
-    }
-    const std::vector<SpacePoint> places = samplePlaces(space, leastPlace, greatestPlace);
+    const std::vector<SpacePoint> places = samplePlaces(space);
     std::vector<SpacePoint> values;
     values.reserve(places.size());
     for (const SpacePoint& place : places)

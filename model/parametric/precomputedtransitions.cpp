@@ -44,12 +44,10 @@ bool isLocalMinimum(const SimilarityTable& table, std::size_t s, std::size_t t, 
 
 SpacePoint randomPlaceIn(const WeightSpace& space, Random& random)
 {
+    const auto [least, greatest] = space.range();
     SpacePoint place{};
-    for (std::size_t d = 0; d < static_cast<std::size_t>(space.dimension()); ++d) {
-        const auto [least, greatest] = std::ranges::minmax(
-            space.nodes(), {}, [d](const WeightSpace::Node& node) { return node.place[d]; });
-        place[d] = random.between(least.place[d], greatest.place[d]);
-    }
+    for (std::size_t d = 0; d < static_cast<std::size_t>(space.dimension()); ++d)
+        place[d] = random.between(least[d], greatest[d]);
     return space.placeOf(space.at(place));
 }
 
@@ -110,9 +108,7 @@ PrecomputedTransitions::PrecomputedTransitions(const SimilarityTable& table, con
 std::optional<TransitionChoice> PrecomputedTransitions::choose(const SpaceState& source,
                                                                const TransitionGoal& goal) const
 {
-    const auto nearest = static_cast<std::size_t>(std::max(std::floor(source.frame + 0.5), 0.0));
-    const std::size_t start =
-        m_source.isCyclic ? nearest % m_source.frames : std::min(nearest, m_source.frames - 1);
+    const std::size_t start = nearestFrame(source.frame, m_source.frames, m_source.isCyclic);
     const SpacePoint from = m_source.within(source.place);
     const SpacePoint to = m_target.within(goal.place);
     std::optional<TransitionChoice> best;

@@ -13,14 +13,9 @@ TransitionPlaces transitionPlaces(const WeightSpace& space, int steps)
 {
     TransitionPlaces found{.dimension = space.dimension()};
     const auto dimension = static_cast<std::size_t>(space.dimension());
-    SpacePoint least = space.nodes().front().place;
-    SpacePoint greatest = least;
-    for (const WeightSpace::Node& node : space.nodes()) {
-        for (std::size_t d = 0; d < dimension; ++d) {
-            least[d] = std::min(least[d], node.place[d]);
-            greatest[d] = std::max(greatest[d], node.place[d]);
-        }
-    }
+    const std::array<SpacePoint, 2> range = space.range();
+    const SpacePoint& least = range[0];
+    const SpacePoint& greatest = range[1];
     for (std::size_t d = 0; d < dimension; ++d)
         found.step[d] = (greatest[d] - least[d]) / steps;
 
@@ -51,6 +46,12 @@ TransitionPlaces transitionPlaces(const WeightSpace& space, int steps)
         ++at[axis - 1];
     }
     return found;
+}
+
+std::size_t nearestFrame(double frame, std::size_t frames, bool isCyclic)
+{
+    const auto nearest = static_cast<std::size_t>(std::max(std::floor(frame + 0.5), 0.0));
+    return isCyclic ? nearest % frames : std::min(nearest, frames - 1);
 }
 
 int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to)

@@ -23,6 +23,9 @@ struct TransitionPlaces
 /// \param steps  of each axis' range, at least 1 (IA4D section 3.2.4: 10).
 TransitionPlaces transitionPlaces(const WeightSpace& space, int steps);
 
+/// The frame of a space that a time is nearest to. \param frame  fractional, not negative.
+std::size_t nearestFrame(double frame, std::size_t frames, bool isCyclic);
+
 /// In how many frames a place moves to another one.
 int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to);
 

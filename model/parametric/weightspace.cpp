@@ -146,6 +146,19 @@ void WeightSpace::add(const std::array<int, 4>& nodes)
     m_simplices.push_back(simplex);
 }
 
+std::array<SpacePoint, 2> WeightSpace::range() const
+{
+    // References lie between takes.
+    std::array<SpacePoint, 2> range{m_nodes.front().place, m_nodes.front().place};
+    for (std::size_t t = 1; t < m_takeCount; ++t) {
+        for (std::size_t d = 0; d < range[0].size(); ++d) {
+            range[0][d] = std::min(range[0][d], m_nodes[t].place[d]);
+            range[1][d] = std::max(range[1][d], m_nodes[t].place[d]);
+        }
+    }
+    return range;
+}
+
 std::vector<std::array<int, 2>> WeightSpace::edges() const
 {
     std::vector<std::array<int, 2>> edges;

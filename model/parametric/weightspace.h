@@ -59,6 +59,8 @@ public:
     const std::vector<Node>& nodes() const { return m_nodes; }
     const std::vector<Simplex>& simplices() const { return m_simplices; }
 
+    /// The least and the greatest place of the takes on each axis.
+    std::array<SpacePoint, 2> range() const;
     /// The two ends of each edge, the smaller first, ascending.
     std::vector<std::array<int, 2>> edges() const;
     /// Divides an edge, and all simplices that have it, in the middle. \return the new node.

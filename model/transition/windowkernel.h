@@ -53,9 +53,10 @@ void searchLeastSums(const WindowSearch& search, BestWindows& best, WindowScratc
 /// Least means of keys, from the least sums: Dinkelbach's method, for windowLanes pairs of frames at a time.
 /// A mean c/L that is not far off is taken off every cell; the path of the least sum over all windows that
 /// end in the two frames, by one dynamic programme, gives the next mean, until that sum is zero. Every step
-/// is exact, so the last is the optimum; sums, lengths and windows become those of its path. \param before
-/// the least means of the source frame before against the same destination sequence, where they are known: to
-/// begin with the mean of the pair of frames before takes fewer programmes.
+/// is exact, so the last is the optimum; what follows cells from which no path can be the best is left out;
+/// sums, lengths and windows become those of its path. \param before the least means of the source frame
+/// before against the same destination sequence, where they are known: to begin with the mean of the pair of
+/// frames before takes fewer programmes.
 void improveToLeastMeans(const WindowSearch& search, double lengthOne, const BestWindows* before,
                          BestWindows& best, WindowScratch& scratch);
 
