@@ -21,6 +21,13 @@ const QString prefix = QStringLiteral("starting-");
 /// A window that is shown still gets its final size, and docks theirs, in this time.
 constexpr int settlingMilliseconds = 1000;
 
+/// Locks lie beside markers, and so do locks of locks while a stale one is removed: what was killed just then
+/// leaves one behind.
+bool isMarker(const QString& name)
+{
+    return !name.contains(QLatin1Char('.'));
+}
+
 std::unique_ptr<QLockFile> lockOf(const QString& marker)
 {
     auto lock = std::make_unique<QLockFile>(marker + QStringLiteral(".lock"));
@@ -36,7 +43,7 @@ StartGuard::StartGuard(const QString& folder, QObject* parent) : QObject(parent)
     dir.mkpath(QStringLiteral("."));
     for (const QString& name : dir.entryList({prefix + QLatin1Char('*')}, QDir::Files)) {
         const QString marker = dir.filePath(name);
-        if (!name.endsWith(QLatin1String(".lock")) && lockOf(marker)->tryLock(0))
+        if (isMarker(name) && lockOf(marker)->tryLock(0))
             m_failed += marker;
     }
     m_marker = dir.filePath(prefix + QUuid::createUuid().toString(QUuid::WithoutBraces));

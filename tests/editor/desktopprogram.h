@@ -53,7 +53,7 @@ public:
     {
         const QStringList all = QDir(settings()).entryList({"starting-*"});
         return static_cast<int>(
-            std::ranges::count_if(all, [](const QString& name) { return !name.endsWith(".lock"); }));
+            std::ranges::count_if(all, [](const QString& name) { return !name.contains('.'); }));
     }
     QString settings() const { return m_environment.value("XDG_CONFIG_HOME") + "/Quadrille"; }
 
