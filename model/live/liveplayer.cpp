@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "model/live/liveplayer.h"
+
+#include "model/core/badargument.h"
+#include "model/live/groundfit.h"
+#include "model/parametric/hybridblend.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+/// Smooth from 0 to 1, with no speed and no acceleration at either end.
+double fadeWeight(double t)
+{
+    return t * t * t * (t * (6 * t - 15) + 10);
+}
+
+SpacePoint between(const SpacePoint& a, const SpacePoint& b, double share)
+{
+    SpacePoint place;
+    for (std::size_t d = 0; d < place.size(); ++d)
+        place[d] = std::lerp(a[d], b[d], share);
+    return place;
+}
+
+void moveOverGround(const GroundMotion& motion, const Ground& ground, MutablePositions positions)
+{
+    const RigidMotion inSpace = motion.inSpace(ground);
+    const Eigen::Matrix3f turn = inSpace.rotation.toRotationMatrix().cast<float>();
+    const Vec3f shift = inSpace.translation.cast<float>();
+    for (Vec3f& position : positions)
+        position = turn * position + shift;
+}
+
+void check(const LiveSettings& settings)
+{
+    const auto isShare = [](double value) { return value >= 0 && value <= 1; };
+    if (settings.ticksPerFrame < 1)
+        refuse("A frame has no tick", "Let it have at least one.");
+    if (!(settings.fadeSeconds > 0) || !(settings.secondsAcross > 0))
+        refuse("Fading, or going over a space, takes no time", "Give both some seconds.");
+    if (!(settings.search.latencyWeight > 0) || !(settings.responsiveWeight > 0))
+        refuse("A weight of latency is not positive", "Give it one, such as 5.");
+    if (!isShare(settings.earliestLeave) || !isShare(settings.latestArrival))
+        refuse("A share of a space is not between 0 and 1", "Give it one that is.");
+}
+
+} // namespace
+
+const TransitionChoice* LiveDecision::goingOn() const
+{
+    for (std::size_t i = 1; i < count; ++i) {
+        if (choices[i].sourceFrames > choices[0].sourceFrames)
+            return &choices[i];
+    }
+    return nullptr;
+}
+
+LivePlayer::LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSettings& settings,
+                       const LiveStart& start)
+    : m_graph(std::move(graph))
+    , m_settings(settings)
+    , m_other(m_graph->vertexCount())
+    , m_fitted(m_graph->vertexCount())
+{
+    check(m_settings);
+    m_settings.search.choices = LiveDecision::mostChoices;
+    TransitionSearchSettings responsive = m_settings.search;
+    responsive.latencyWeight = m_settings.responsiveWeight;
+    const std::size_t count = m_graph->spaces.size();
+    m_links.resize(count);
+    for (std::size_t source = 0; source < count; ++source) {
+        m_links[source].resize(count);
+        for (std::size_t target = 0; target < count; ++target) {
+            const auto& table = m_graph->tables[source][target];
+            if (table == nullptr)
+                continue;
+            const MotionSpace& from = *m_graph->spaces[source];
+            const MotionSpace& to = *m_graph->spaces[target];
+            m_links[source][target] = {std::make_unique<TransitionSearch>(table, from, to, m_settings.search),
+                                       std::make_unique<TransitionSearch>(table, from, to, responsive)};
+        }
+    }
+    const double last = static_cast<double>(m_graph->spaces[start.space]->frameCount() - 1);
+    m_state.track = {.space = start.space,
+                     .phase = std::clamp(start.frame, 0.0, last),
+                     .place = wantedPlace(start.space, start.parameters),
+                     .root = start.root};
+    m_state.left = m_state.track;
+    m_state.home = start.space;
+    m_state.homeParameters = start.parameters;
+}
+
+SpacePoint LivePlayer::wantedPlace(std::size_t space, const SpacePoint& parameters) const
+{
+    const MotionSpace& wanted = *m_graph->spaces[space];
+    return wanted.weights.placeOf(wanted.weights.at(wanted.map.placeOf(parameters)));
+}
+
+/// A space without a cycle is left for the last one with a cycle where nothing else is wanted.
+std::size_t LivePlayer::wantedSpace(const LiveInput& input) const
+{
+    const bool isPlayed = input.space == m_state.track.space;
+    return isPlayed && !isCyclic(m_state.track) ? m_state.home : input.space;
+}
+
+bool LivePlayer::mayLeave() const
+{
+    if (m_state.way == LiveState::Way::Leaving || m_state.fade < 1)
+        return false;
+    if (isCyclic(m_state.track))
+        return true;
+    // What is left goes on while it fades, and the trellis has its depth.
+    const double last = static_cast<double>(spaceOf(m_state.track).frameCount() - 1);
+    return m_state.track.phase >= std::min(m_settings.earliestLeave * last, last - fadeFrames());
+}
+
+void LivePlayer::decide(const LiveInput& input)
+{
+    const std::size_t wanted = wantedSpace(input);
+    if (m_state.way == LiveState::Way::Leaving && m_state.target != wanted)
+        m_state.way = LiveState::Way::Free; // something else is wanted meanwhile
+    const std::size_t source = m_state.track.space;
+    if (wanted == source || !mayLeave() || !m_graph->leads(source, wanted))
+        return;
+    const MotionSpace& target = *m_graph->spaces[wanted];
+    const std::size_t last = target.frameCount() - 1;
+    const auto latest = static_cast<std::size_t>(m_settings.latestArrival * static_cast<double>(last));
+    // Parameters are of the space that the input names.
+    const SpacePoint& parameters = wanted == input.space ? input.parameters : m_state.homeParameters;
+    m_decision = {.tick = m_state.tick,
+                  .source = source,
+                  .target = wanted,
+                  .state = {m_state.track.phase, m_state.track.place},
+                  .goal = {0, target.isCyclic ? last : latest, wantedPlace(wanted, parameters)},
+                  .isResponsive = input.isResponsive,
+                  .choices = {},
+                  .count = 0};
+    Link& link = m_links[source][wanted];
+    const std::span<const TransitionChoice> found =
+        (input.isResponsive ? *link.responsive : *link.smooth).search(m_decision.state, m_decision.goal);
+    m_decision.count = std::min(found.size(), LiveDecision::mostChoices);
+    std::copy_n(found.begin(), m_decision.count, m_decision.choices.begin());
+    ++m_state.decisions;
+    m_state.choice = found.front();
+    m_state.target = wanted;
+    m_state.way = LiveState::Way::Leaving;
+    m_state.wayStart = m_state.track.place;
+    m_state.wayGoal = m_decision.goal.place;
+    // The search counts from the nearest whole frame.
+    const double frames = static_cast<double>(spaceOf(m_state.track).frameCount());
+    const double nearest = static_cast<double>(
+        nearestFrame(m_state.track.phase, spaceOf(m_state.track).frameCount(), isCyclic(m_state.track)));
+    double ahead = m_state.track.phase - nearest;
+    if (ahead > frames / 2)
+        ahead -= frames; // the first frame of a cycle, seen from its end
+    m_state.wayFrames = ahead;
+    m_state.wayEnd = m_state.choice.sourceFrames;
+}
+
+/// The target stands where it fits the source best.
+void LivePlayer::switchOver()
+{
+    const TransitionChoice& choice = m_state.choice;
+    const double beyond = m_state.wayFrames - m_state.wayEnd; // where it was a part of a frame late
+    LiveTrack track{.space = m_state.target,
+                    .phase = static_cast<double>(choice.arrivalFrame) + std::max(beyond, 0.0),
+                    .place = choice.arrivalPlace,
+                    .root = {}};
+    const MotionSpace& target = spaceOf(track);
+    const double last = static_cast<double>(target.frameCount() - 1);
+    track.phase = std::min(track.phase, target.isCyclic ? last + 0.999 : last);
+    poseOf(m_state.track, m_other);
+    poseOf(track, m_fitted);
+    track.root = fitOverGround(m_fitted, m_other, Ground(m_graph->up()));
+    m_state.left = m_state.track;
+    m_state.track = track;
+    m_state.fade = 0;
+    if (target.isCyclic)
+        m_state.home = track.space;
+    m_state.way = LiveState::Way::Arriving;
+    m_state.wayStart = choice.arrivalPlace;
+    m_state.wayFrames = 0;
+    m_state.wayEnd = choice.targetFrames;
+}
+
+void LivePlayer::movePlace(const LiveInput& input, double seconds)
+{
+    LiveTrack& track = m_state.track;
+    if (m_state.way == LiveState::Way::Leaving) {
+        const double share =
+            m_state.wayEnd > 0 ? std::clamp(m_state.wayFrames / m_state.wayEnd, 0.0, 1.0) : 1;
+        track.place = between(m_state.wayStart, m_state.choice.leavingPlace, share);
+        return;
+    }
+    if (m_state.way == LiveState::Way::Arriving) {
+        if (m_state.wayFrames < m_state.wayEnd) {
+            track.place = between(m_state.wayStart, m_state.wayGoal, m_state.wayFrames / m_state.wayEnd);
+            return;
+        }
+        m_state.way = LiveState::Way::Free;
+    }
+    if (input.space != track.space)
+        return;
+    const SpacePoint wanted = wantedPlace(track.space, input.parameters);
+    const auto [least, greatest] = spaceOf(track).weights.range();
+    double steps = 0; // ranges that it is away
+    for (std::size_t d = 0; d < wanted.size(); ++d) {
+        if (greatest[d] > least[d])
+            steps = std::max(steps, std::abs(wanted[d] - track.place[d]) / (greatest[d] - least[d]));
+    }
+    const double reach = seconds / m_settings.secondsAcross;
+    track.place = steps <= reach ? wanted : between(track.place, wanted, reach / steps);
+}
+
+double LivePlayer::play(LiveTrack& track, double& seconds, double most) const
+{
+    const MotionSpace& space = spaceOf(track);
+    const NodeWeights weights = space.weights.at(track.place);
+    double done = 0;
+    while (seconds > 0 && done < most) {
+        const auto frame = static_cast<std::size_t>(track.phase);
+        if (!space.isCyclic && frame + 1 >= space.frameCount()) {
+            seconds = 0; // it stays at its end
+            break;
+        }
+        const double length = blendedSeconds(space, frame, weights);
+        const double rest = static_cast<double>(frame + 1) - track.phase;
+        const double part = std::min({rest, seconds / length, most - done});
+        track.root = track.root * partOf(blendedStep(space, frame, weights), part);
+        track.phase = part < rest ? track.phase + part : static_cast<double>(space.next(frame));
+        seconds = std::max(0.0, seconds - part * length);
+        done += part;
+    }
+    return done;
+}
+
+void LivePlayer::tick(const LiveInput& input)
+{
+    assert(input.space < m_graph->spaces.size());
+    ++m_state.tick;
+    if (input.space == m_state.home)
+        m_state.homeParameters = input.parameters;
+    decide(input);
+    const double whole = tickSeconds();
+    double seconds = whole;
+    movePlace(input, seconds);
+    double left = whole;
+    if (m_state.way == LiveState::Way::Leaving) {
+        m_state.wayFrames += play(m_state.track, seconds, std::max(m_state.wayEnd - m_state.wayFrames, 0.0));
+        const double last = static_cast<double>(spaceOf(m_state.track).frameCount() - 1);
+        const bool hasEnded = !isCyclic(m_state.track) && m_state.track.phase >= last;
+        if (m_state.wayFrames >= m_state.wayEnd || hasEnded) {
+            switchOver();
+            left = seconds; // the rest was played before
+        }
+    }
+    if (m_state.fade < 1) {
+        play(m_state.left, left, forever);
+        m_state.fade = std::min(1.0, m_state.fade + whole / m_settings.fadeSeconds);
+    }
+    const double played = play(m_state.track, seconds, forever);
+    if (m_state.way != LiveState::Way::Free)
+        m_state.wayFrames += played;
+}
+
+void LivePlayer::poseOf(const LiveTrack& track, MutablePositions out) const
+{
+    const MotionSpace& space = spaceOf(track);
+    blendedPose(space, track.phase, space.weights.at(track.place), out);
+    moveOverGround(track.root, Ground(space.up), out);
+}
+
+void LivePlayer::pose(MutablePositions out)
+{
+    poseOf(m_state.track, out);
+    if (m_state.fade >= 1)
+        return;
+    poseOf(m_state.left, m_other);
+    const auto weight = static_cast<float>(fadeWeight(m_state.fade));
+    for (std::size_t v = 0; v < out.size(); ++v)
+        out[v] = m_other[v] + weight * (out[v] - m_other[v]);
+}
+
+GroundMotion LivePlayer::root() const
+{
+    if (m_state.fade >= 1)
+        return m_state.track.root;
+    return m_state.left.root *
+           partOf(m_state.left.root.inverse() * m_state.track.root, fadeWeight(m_state.fade));
+}
+
+LiveProvenance LivePlayer::provenance() const
+{
+    const LiveTrack& track = fadeWeight(m_state.fade) < 0.5 ? m_state.left : m_state.track;
+    const MotionSpace& space = spaceOf(track);
+    const NodeWeights weights = space.weights.at(track.place);
+    std::array<double, WeightSpace::mostTakes> shares{};
+    for (std::size_t n = 0; n < static_cast<std::size_t>(weights.count); ++n) {
+        for (const BlendShare& share :
+             space.weights.nodes()[static_cast<std::size_t>(weights.nodes[n])].shares)
+            shares[share.take] += weights.weights[n] * share.share;
+    }
+    const auto greatest = std::ranges::max_element(shares);
+    return {track.space, static_cast<std::size_t>(greatest - shares.begin()),
+            nearestFrame(track.phase, space.frameCount(), space.isCyclic), *greatest};
+}
+
+void perform(LivePlayer& player, std::span<const LiveInput> inputs,
+             const std::function<void(LivePlayer&)>& use, const Progress& progress)
+{
+    use(player);
+    const auto perFrame = static_cast<std::size_t>(player.settings().ticksPerFrame);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        player.tick(inputs[i]);
+        if ((i + 1) % perFrame == 0)
+            use(player);
+        progress.report(static_cast<std::int64_t>(i + 1), static_cast<std::int64_t>(inputs.size()));
+    }
+}
+
+} // namespace quadrille

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/live/livegraph.h"
+
+#include <array>
+#include <cstdint>
+
+namespace quadrille {
+
+/// What is wanted at a tick.
+struct LiveInput
+{
+    std::size_t space = 0;
+    SpacePoint parameters{};   ///< of that space, in their units; kept to their limits
+    bool isResponsive = false; ///< latency counts more than likeness
+
+    bool operator==(const LiveInput&) const = default;
+};
+
+/// Where playing begins.
+struct LiveStart
+{
+    std::size_t space = 0;
+    SpacePoint parameters{};
+    double frame = 0;
+    GroundMotion root; ///< takes what stands over the origin to where it begins
+
+    bool operator==(const LiveStart&) const = default;
+};
+
+struct LiveSettings
+{
+    int ticksPerFrame = 2;           ///< at least 1; a recorded clip has each of so many ticks
+    TransitionSearchSettings search; ///< of transitions
+    double responsiveWeight = 40;    ///< λ of IA4D eq. 4 where latency counts more, for a frame
+    double fadeSeconds = 0.3;        ///< in which the target's surface takes over from the source's
+    double secondsAcross = 1;        ///< in which a place may go over all of its range
+    double earliestLeave = 0.75;     ///< share of a space without a cycle that is played at least
+    double latestArrival = 0.25;     ///< share of a space without a cycle within which it is entered
+
+    bool operator==(const LiveSettings&) const = default;
+};
+
+/// A space while it is played.
+struct LiveTrack
+{
+    std::size_t space = 0;
+    double phase = 0; ///< in frames, as blendedPose
+    SpacePoint place{};
+    GroundMotion root; ///< takes the pose of the phase to where it is over the ground
+
+    bool operator==(const LiveTrack&) const = default;
+};
+
+/// All that a player knows at a tick: poses follow from it. A small plain value, so that each tick of a
+/// performance can be kept and gone back to.
+struct LiveState
+{
+    /// What a place does.
+    enum class Way
+    {
+        Free,    ///< it goes to where parameters want it
+        Leaving, ///< a transition was found: it goes to the place where the space is left
+        Arriving ///< the transition was made: it goes on to the place that was wanted
+    };
+
+    std::int64_t tick = 0;
+    LiveTrack track;
+    LiveTrack left;  ///< that fades out
+    double fade = 1; ///< 0 at a switch, 1 once nothing is seen of what was left
+    Way way = Way::Free;
+    std::size_t target = 0; ///< of Leaving
+    TransitionChoice choice;
+    SpacePoint wayStart{}; ///< the place where the way began
+    SpacePoint wayGoal{};  ///< where Arriving ends
+    double wayFrames = 0;  ///< how many frames of it are done
+    double wayEnd = 0;     ///< and how many there are
+    std::size_t home = 0;  ///< the last space with a cycle: from one without it goes there
+    SpacePoint homeParameters{};
+    std::int64_t decisions = 0; ///< that were made
+
+    bool operator==(const LiveState&) const = default;
+};
+
+/// Why a transition was made: the ways that were found, the best first.
+struct LiveDecision
+{
+    static constexpr std::size_t mostChoices = 6;
+
+    std::int64_t tick = 0;
+    std::size_t source = 0;
+    std::size_t target = 0;
+    SpaceState state; ///< of the source
+    TransitionGoal goal;
+    bool isResponsive = false;
+    std::array<TransitionChoice, mostChoices> choices;
+    std::size_t count = 0; ///< of choices
+
+    /// The best of those that go on in the source for longer than the one that was chosen; null where that is
+    /// none of them.
+    const TransitionChoice* goingOn() const;
+};
+
+/// The captured frame that a pose is most like: of the take with the greatest share.
+struct LiveProvenance
+{
+    std::size_t space = 0;
+    std::size_t take = 0;
+    std::size_t frame = 0; ///< of the space
+    double share = 0;
+
+    bool operator==(const LiveProvenance&) const = default;
+};
+
+} // namespace quadrille
