@@ -133,6 +133,14 @@ WeightSpace::WeightSpace(std::span<const SpacePoint> takes, int dimension)
         add(nodes);
 }
 
+WeightSpace::WeightSpace(int dimension, std::size_t takes, std::vector<Node> nodes,
+                         std::span<const std::array<int, 4>> simplices)
+    : m_dimension(dimension), m_takeCount(takes), m_nodes(std::move(nodes))
+{
+    for (const std::array<int, 4>& simplex : simplices)
+        add(simplex);
+}
+
 void WeightSpace::add(const std::array<int, 4>& nodes)
 {
     Simplex simplex{.nodes = nodes};

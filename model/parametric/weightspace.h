@@ -53,6 +53,10 @@ public:
     /// place, fewer takes than the dimension asks for, takes on
     /// one line or in one plane). Cost: O(takes^(dimension + 2)).
     WeightSpace(std::span<const SpacePoint> takes, int dimension);
+    /// One that was stored, the same in all bits. \param takes  how many of the nodes they are.
+    /// \param simplices  the nodes of each. \pre All of it is of a space.
+    WeightSpace(int dimension, std::size_t takes, std::vector<Node> nodes,
+                std::span<const std::array<int, 4>> simplices);
 
     int dimension() const { return m_dimension; }
     std::size_t takeCount() const { return m_takeCount; }

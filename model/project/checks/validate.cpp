@@ -5,6 +5,7 @@
 #include "model/project/checks/validateanimations.h"
 #include "model/project/checks/validateappearances.h"
 #include "model/project/checks/validateevaluations.h"
+#include "model/project/checks/validatemotionspaces.h"
 #include "model/project/checks/validatevariations.h"
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/findentry.h"
@@ -35,6 +36,7 @@ public:
         checkGraphs();
         validateAnimations(m_project, m_problems);
         validateVariations(m_project, m_problems);
+        validateMotionSpaces(m_project, m_problems);
         validateAppearances(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.transfers.size(); ++i)
             checkTransfer(m_project.transfers[i], "/transfers/" + std::to_string(i));

@@ -48,6 +48,11 @@ const VariationEntry* findVariation(const Project& project, const std::string& n
     return findEntry(project.variations, name);
 }
 
+const MotionSpaceEntry* findMotionSpace(const Project& project, const std::string& name)
+{
+    return findEntry(project.motionSpaces, name);
+}
+
 const AppearanceEntry* findAppearance(const Project& project, const std::string& name)
 {
     return findEntry(project.appearances, name);
@@ -81,9 +86,22 @@ std::string characterNameOf(const Project& project, const VariationEntry& variat
     return characterOrOnlyOne(project, variation.character);
 }
 
+std::string characterNameOf(const Project& project, const MotionSpaceEntry& space)
+{
+    return characterOrOnlyOne(project, space.character);
+}
+
 std::string characterNameOf(const Project& project, const AppearanceEntry& appearance)
 {
     return characterOrOnlyOne(project, appearance.character);
+}
+
+std::size_t steeredSpaces(const Project& project, const std::string& character)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(project.motionSpaces, [&](const MotionSpaceEntry& entry) {
+            return entry.takes.size() > 1 && characterNameOf(project, entry) == character;
+        }));
 }
 
 const BodyPartsEntry* bodyPartsOf(const Project& project, const std::string& character)

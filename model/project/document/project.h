@@ -6,6 +6,7 @@
 #include "model/project/document/animationentry.h"
 #include "model/project/document/appearanceentry.h"
 #include "model/project/document/evaluationentry.h"
+#include "model/project/document/motionspaceentry.h"
 #include "model/project/document/problem.h"
 #include "model/project/document/projectionentry.h"
 #include "model/project/document/transferentry.h"
@@ -154,7 +155,8 @@ struct Project
     std::vector<GraphEntry> graphs;        ///< the section “graph”; one for each character at most
     std::vector<AnimationEntry> animations;
     std::vector<VariationEntry> variations;
-    std::vector<AppearanceEntry> appearances; ///< the section “appearance”
+    std::vector<MotionSpaceEntry> motionSpaces; ///< the section “motion_spaces”
+    std::vector<AppearanceEntry> appearances;   ///< the section “appearance”
     std::vector<TransferEntry> transfers;
     std::vector<ProjectionEntry> projections;
     std::vector<EvaluationEntry> evaluations;

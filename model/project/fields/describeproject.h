@@ -6,6 +6,7 @@
 #include "model/project/fields/describeappearance.h"
 #include "model/project/fields/describeexport.h"
 #include "model/project/fields/describegraph.h"
+#include "model/project/fields/describemotionspace.h"
 #include "model/project/fields/describeprojection.h"
 #include "model/project/fields/describetransfer.h"
 #include "model/project/fields/describevariation.h"
@@ -82,6 +83,10 @@ void describe(Fields& f, Type<Project>)
         {.help = "Transitions and graphs of each character; with one character without a list, too."});
     f.list("animations", &E::animations);
     f.list("variations", &E::variations);
+    f.list("motion_spaces", &E::motionSpaces,
+           {.help =
+                "Takes of one kind of movement that parameters steer; those of one character are compared, "
+                "so that one goes over to another."});
     f.list("appearance", &E::appearances,
            {.help = "Models of the textures of characters; clips of a character take the first of its own."});
     f.list("transfers", &E::transfers, {.help = "Clips that other meshes perform."});

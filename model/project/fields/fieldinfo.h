@@ -99,6 +99,7 @@ enum class NamedKind
     Sequence,
     Animation,
     Variation,
+    MotionSpace,
     Transfer,
     Projection,
 };

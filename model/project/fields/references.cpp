@@ -27,6 +27,8 @@ constexpr std::optional<NamedKind> kindOf()
         return NamedKind::Animation;
     else if constexpr (std::is_same_v<Entry, VariationEntry>)
         return NamedKind::Variation;
+    else if constexpr (std::is_same_v<Entry, MotionSpaceEntry>)
+        return NamedKind::MotionSpace;
     else if constexpr (std::is_same_v<Entry, TransferEntry>)
         return NamedKind::Transfer;
     else if constexpr (std::is_same_v<Entry, ProjectionEntry>)

@@ -238,6 +238,11 @@ Json writeFields(const VariationEntry& variation)
     return toJson(variation, {CoordinateSystem()});
 }
 
+Json writeFields(const MotionSpaceEntry& space)
+{
+    return toJson(space, {CoordinateSystem()});
+}
+
 Json writeFields(const AppearanceEntry& appearance)
 {
     return toJson(appearance, {CoordinateSystem()});

@@ -14,6 +14,7 @@ namespace quadrille {
 Json writeFields(const Project& project);
 Json writeFields(const BodyPartsEntry& parts);
 Json writeFields(const VariationEntry& variation);
+Json writeFields(const MotionSpaceEntry& space);
 Json writeFields(const AppearanceEntry& appearance);
 Json writeFields(const TransferEntry& transfer);
 Json writeFields(const ProjectionEntry& projection);

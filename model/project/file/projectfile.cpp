@@ -22,7 +22,7 @@ void requireSequences(const ObjectReader& reader)
 {
     if (reader.find("sequences") != nullptr)
         return;
-    for (const char* section : {"animations", "variations", "transfers", "projections"}) {
+    for (const char* section : {"animations", "variations", "motion_spaces", "transfers", "projections"}) {
         const Json* entries = reader.find(section);
         if (entries == nullptr || entries->empty())
             continue;

@@ -59,9 +59,9 @@ void refuseMissingInputs(std::vector<BuildStep>& steps)
 std::vector<BuildStep> makeSteps(const StepMaking& making)
 {
     std::vector<BuildStep> steps;
-    for (auto make :
-         {makeSequenceSteps, makeGraphSteps, makeAnimationSteps, makeVariationSteps, makeAppearanceSteps,
-          makeTransferSteps, makeProjectionSteps, makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
+    for (auto make : {makeSequenceSteps, makeGraphSteps, makeAnimationSteps, makeVariationSteps,
+                      makeMotionSpaceSteps, makeAppearanceSteps, makeTransferSteps, makeProjectionSteps,
+                      makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
         for (BuildStep& step : make(making))
             steps.push_back(std::move(step));
     }

@@ -11,27 +11,30 @@ namespace quadrille {
 
 namespace {
 
-/// The symmetry of a character: in its mesh file the body mostly rests, as no captured frame may.
-Symmetry symmetryOf(const AnimationEntry& animation, const CharacterInputs& work,
-                    const CharacterFrames& frames, const Progress& progress)
+Symmetry symmetryFor(const AnimationEntry& animation, const CharacterInputs& work,
+                     const CharacterFrames& frames, const Progress& progress)
 {
     const MeshSequence& any = frames.sequences().front();
     if (const auto files = symmetryFiles(animation, work); !files.empty())
         return readSymmetry(*any.topology, files.front());
-    const auto& characters = work.opener->project().characters;
-    const auto character =
-        std::find_if(characters.begin(), characters.end(),
-                     [&](const CharacterEntry& entry) { return entry.name == work.character; });
-    if (character != characters.end() && !character->mesh.empty()) {
-        const ImportResult mesh = openSequences(resolvePath(character->mesh, work.opener->folder()));
+    return symmetryOf(*work.opener, work.character, any, progress);
+}
+
+} // namespace
+
+Symmetry symmetryOf(SequenceOpener& opener, const std::string& character, const MeshSequence& any,
+                    const Progress& progress)
+{
+    const auto& characters = opener.project().characters;
+    const auto entry = std::ranges::find(characters, character, &CharacterEntry::name);
+    if (entry != characters.end() && !entry->mesh.empty()) {
+        const ImportResult mesh = openSequences(resolvePath(entry->mesh, opener.folder()));
         const Frame rest = mesh.sequences.front().frame(FrameIndex(0));
         if (rest.positions().size() == any.topology->vertexCount())
             return findSymmetry(*any.topology, rest.positions(), {}, progress);
     }
     return findSymmetry(*any.topology, any.frame(FrameIndex(0)).positions(), {}, progress);
 }
-
-} // namespace
 
 PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterInputs& work,
                                           const CharacterFrames& frames, const Stances& stances)
@@ -45,7 +48,7 @@ PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const
     if (stances.isKnown())
         inputs.contactsOf = [stances](const Clip& clip) { return contactsOf(clip, stances); };
     inputs.symmetry = [animation, work, frames](const Progress& progress) {
-        return symmetryOf(animation, work, frames, progress);
+        return symmetryFor(animation, work, frames, progress);
     };
     return inputs;
 }

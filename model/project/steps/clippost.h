@@ -13,6 +13,11 @@ namespace quadrille {
 PostProcessingInputs postProcessingInputs(const AnimationEntry& animation, const CharacterInputs& work,
                                           const CharacterFrames& frames, const Stances& stances);
 
+/// The symmetry of a character: in its mesh file the body mostly rests, as no captured frame may.
+/// \param any  a sequence of it. \throws Error as findSymmetry; what opening the mesh throws.
+Symmetry symmetryOf(SequenceOpener& opener, const std::string& character, const MeshSequence& any,
+                    const Progress& progress = {});
+
 /// The file of the symmetry; none where it is not named or not needed.
 std::vector<std::filesystem::path> symmetryFiles(const AnimationEntry& animation,
                                                  const CharacterInputs& work);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/contenthash.h"
 #include "model/core/error.h"
 #include "model/core/file.h"
 #include "model/core/seriesname.h"

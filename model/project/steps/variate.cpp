@@ -8,6 +8,7 @@
 #include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
+#include "model/project/steps/bodypose.h"
 #include "model/synthesis/clips/characterlegs.h"
 #include "model/synthesis/finishing/contactcorrection.h"
 #include "model/variation/posereach.h"
@@ -100,31 +101,11 @@ std::vector<TrainingTake> VariationWork::openTakes(const Progress& progress)
     return opened;
 }
 
-std::vector<Vec3f> VariationWork::namedPose(const NamedFrame& frame, const Progress& progress)
-{
-    const auto opened = m_opener->open(frame.sequence, Progress(progress.token()));
-    const MeshSequence& sequence = opened->sequence;
-    if (frame.frame.value < 0 || frame.frame.value >= sequence.frameCount())
-        throwInvalid("“" + frame.sequence + "” has no frame " + std::to_string(frame.frame.value),
-                     "Write a frame from 0 to " + std::to_string(sequence.frameCount() - 1) + ".");
-    const auto metres = static_cast<float>(project().settings.axes.metresPerUnit);
-    std::vector<Vec3f> pose = copied(sequence.frame(frame.frame).positions());
-    for (Vec3f& position : pose)
-        position *= metres;
-    return pose;
-}
-
 BodyParts VariationWork::cutParts(const MeshSequence& first, const Progress& progress)
 {
-    std::vector<PartCurve> curves;
-    for (const PartCurveEntry& curve : m_parts.curves)
-        curves.push_back(curve.curve);
-    std::vector<PartDescription> descriptions;
-    for (const PartEntry& part : m_parts.parts)
-        descriptions.push_back(part.part);
-    const std::vector<Vec3f> pose =
-        m_parts.pose ? namedPose(*m_parts.pose, progress) : copied(first.frame(FrameIndex(0)).positions());
-    return cutIntoParts(*first.topology, pose, curves, descriptions);
+    const std::vector<Vec3f> pose = m_parts.pose ? poseInMetres(*m_opener, *m_parts.pose, progress)
+                                                 : copied(first.frame(FrameIndex(0)).positions());
+    return quadrille::cutParts(*first.topology, pose, m_parts);
 }
 
 VariationWork::Prepared& VariationWork::prepared(const Progress& progress)
@@ -177,8 +158,9 @@ std::shared_ptr<const Movement> VariationWork::movement(const Progress& progress
     settings.alignment.up = project().settings.axes.up;
     settings.alignment.cycles = m_entry.cycles;
     settings.displacementShare = m_entry.displacementShare;
-    const std::vector<Vec3f> pose =
-        m_entry.templatePose ? namedPose(*m_entry.templatePose, progress) : std::vector<Vec3f>();
+    const std::vector<Vec3f> pose = m_entry.templatePose
+                                        ? poseInMetres(*m_opener, *m_entry.templatePose, progress)
+                                        : std::vector<Vec3f>();
     const std::size_t reference = m_entry.reference.empty() ? 0 : takeIndex(m_entry, m_entry.reference);
     auto movement = std::make_shared<const Movement>(
         makeMovement(takes, reference, cutParts(takes.front().sequence, progress), blendsOf(m_entry),

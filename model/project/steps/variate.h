@@ -73,7 +73,6 @@ private:
     /// The takes, and those that poses are taken from.
     std::vector<std::string> sequences() const;
     std::vector<TrainingTake> openTakes(const Progress& progress);
-    std::vector<Vec3f> namedPose(const NamedFrame& frame, const Progress& progress);
     BodyParts cutParts(const MeshSequence& first, const Progress& progress);
 
     /// What is made of the takes at the first use, whatever is learned and drawn of them.

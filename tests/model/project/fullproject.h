@@ -4,6 +4,7 @@
 
 #include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
+#include "tests/model/project/fullmotionspace.h"
 #include "tests/model/project/fullprojection.h"
 #include "tests/model/project/fulltransfer.h"
 #include "tests/model/project/fullvariation.h"
@@ -156,6 +157,7 @@ inline Project fullProject()
     project.bodyParts = {fullBodyParts()};
     project.animations = {fullAnimation()};
     project.variations = {fullVariation()};
+    project.motionSpaces = {fullMotionSpace()};
     project.appearances = {fullAppearance()};
     project.transfers = {fullTransfer()};
     project.projections = {fullProjection()};

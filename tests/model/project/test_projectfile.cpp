@@ -97,7 +97,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
   "exports": [ { "name": "e", "what": "sequences/s", "path": "e.obj", "mood": "front",
     "picture": { "width": 64, "lens": "wide" } } ],
   "evaluations": [ "fig7", { "table": "fig9", "mood": "calm" } ],
-  "graph": { "alpha": 3.0 }, "motion_spaces": [])");
+  "graph": { "alpha": 3.0 }, "holograms": [])");
     const Project project = loadProject(folder.write("p.quadrille", text));
     saveProject(project, folder / "q.quadrille");
     const Json saved = Json::parse(textOf(folder / "q.quadrille"));
@@ -112,7 +112,7 @@ TEST(ProjectFile, UnknownKeysAreKeptEverywhere)
     EXPECT_EQ(saved["exports"][0]["picture"]["lens"], "wide");
     EXPECT_EQ(saved["graph"], Json::parse(R"({"alpha":3.0})"));
     EXPECT_EQ(saved["evaluations"], Json::parse(R"(["fig7",{"table":"fig9","mood":"calm"}])"));
-    EXPECT_EQ(saved["motion_spaces"], Json::array());
+    EXPECT_EQ(saved["holograms"], Json::array());
     EXPECT_EQ(loadProject(folder / "q.quadrille"), project);
 }
 
@@ -122,7 +122,7 @@ TEST(ProjectFile, UnknownKeysArePointedOutButNotesAreNot)
   "sequences": [ { "name": "s", "source": "s.pc2", "mood": 1, "_why": "a note",
     "labels": [ { "label": "x", "frames": [0, 1], "colour": "red" } ] } ],
   "exports": [ { "name": "e", "what": "sequences/s", "path": "e.png", "picture": { "lens": "wide" } } ],
-  "motion_spaces": [])"),
+  "holograms": [])"),
                                       "p.quadrille")
                               .problems;
     std::vector<std::string> texts;
@@ -137,7 +137,7 @@ TEST(ProjectFile, UnknownKeysArePointedOutButNotesAreNot)
     EXPECT_THAT(texts[1], ::testing::HasSubstr("“_mood”"));
     EXPECT_THAT(texts[2], ::testing::HasSubstr("“colour”"));
     EXPECT_THAT(texts[3], ::testing::HasSubstr("“lens”"));
-    EXPECT_THAT(texts[4], ::testing::HasSubstr("“motion_spaces”"));
+    EXPECT_THAT(texts[4], ::testing::HasSubstr("“holograms”"));
 }
 
 TEST(ProjectFile, AMissingSectionIsNamedWithItsPlace)

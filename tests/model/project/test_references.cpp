@@ -136,6 +136,20 @@ TEST(References, OfAModelOfAppearanceGoOneByOneAndTakeItWithTheLast)
     EXPECT_TRUE(project.appearances.empty()); // none would mean all
 }
 
+TEST(References, OfAMotionSpaceFollowNamesAndTakeItWithTheLast)
+{
+    Project project = fullProject();
+    renameEntry(project, NamedKind::Sequence, "softly", "loudly");
+    EXPECT_EQ(project.motionSpaces.front().takes[1].sequence, "loudly");
+    EXPECT_EQ(project.motionSpaces.front().reference, "loudly");
+    removeEntries(project, NamedKind::Sequence, {"loudly"});
+    ASSERT_EQ(project.motionSpaces.size(), 1U);
+    EXPECT_EQ(project.motionSpaces.front().takes.size(), 1U);
+    EXPECT_EQ(project.motionSpaces.front().reference, "");
+    removeEntries(project, NamedKind::Sequence, {"talk"});
+    EXPECT_TRUE(project.motionSpaces.empty());
+}
+
 TEST(References, OfATransferFollowNamesAndTakeItAlong)
 {
     Project project = fullProject();

@@ -70,6 +70,44 @@ TEST(Validate, TransfersAreChecked)
     EXPECT_THAT(problemOf([](Entry& e) { e.truth = "softly"; }), HasSubstr("names no clip"));
 }
 
+TEST(Validate, MotionSpacesAreChecked)
+{
+    const auto problemOf = [](auto change) {
+        Project project = fullProject();
+        change(project.motionSpaces[0]);
+        return onlyProblem(project);
+    };
+    using Entry = MotionSpaceEntry;
+    EXPECT_THAT(problemOf([](Entry& e) { e.takes[0].sequence = "takl"; }),
+                AllOf(HasSubstr("/motion_spaces/0/takes/0"), HasSubstr("Did you mean “talk”?")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.takes.resize(9, e.takes[1]); }), HasSubstr("at most 8 takes"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.takes[0].speed = 0; }),
+                HasSubstr("/motion_spaces/0/takes/0/speed"));
+    EXPECT_THAT(problemOf([](Entry& e) {
+                    e.takes[0].place = {1, 2};
+                }),
+                AllOf(HasSubstr("/motion_spaces/0/takes/0/place"), HasSubstr("another number of values")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.parameters.clear(), e.takes[0].place.clear(); }),
+                HasSubstr("differ in"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.takes.erase(e.takes.begin()); }), HasSubstr("needs 2 takes"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.parameters[0].vertex.reset(); }), HasSubstr("which vertex"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.parameters[0].measure = SpaceMeasure::Speed; }),
+                HasSubstr("measures no vertex"));
+    EXPECT_THAT(problemOf([](Entry& e) {
+                    e.parameters[0].vertex.reset();
+                    e.parameters[0].measure = SpaceMeasure::ByHand;
+                }),
+                AllOf(HasSubstr("“softly” has no place"), HasSubstr("“left hand”")));
+    EXPECT_THAT(problemOf([](Entry& e) { e.reference = "tlak"; }), HasSubstr("none of the takes"));
+    EXPECT_THAT(problemOf([](Entry& e) { e.tolerance = 0; }), HasSubstr("/motion_spaces/0/tolerance"));
+    EXPECT_THAT(problemOf([](Entry& e) {
+                    for (const char* name : {"b", "c", "d"})
+                        e.parameters.emplace_back().name = name;
+                    e.takes[0].place.assign(4, 0);
+                }),
+                HasSubstr("at most 3"));
+}
+
 TEST(Validate, ProjectionsAreChecked)
 {
     const auto problemOf = [](auto change) {
