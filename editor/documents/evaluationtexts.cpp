@@ -95,6 +95,17 @@ constexpr std::array tableTexts{
         QT_TRANSLATE_NOOP("Evaluation",
                           "How far transfers are from what they ought to be, where that is known: with "
                           "quaternions and logarithms, with and without correction of the pose and stretch")},
+    TableText{"ia4d-table1", QT_TRANSLATE_NOOP("Evaluation", "Hybrid blends"),
+              QT_TRANSLATE_NOOP("Evaluation", "How far blends of motion spaces are from non-linear ones, and "
+                                              "what they take, by the number of references (IA4D Table 1)")},
+    TableText{"ia4d-fig4", QT_TRANSLATE_NOOP("Evaluation", "Hybrid blends from take to take"),
+              QT_TRANSLATE_NOOP("Evaluation", "The same along the ways from take to take (IA4D Fig. 4)")},
+    TableText{"ia4d-table2", QT_TRANSLATE_NOOP("Evaluation", "Transitions between motion spaces"),
+              QT_TRANSLATE_NOOP("Evaluation", "What transitions cost and how long they take: found while "
+                                              "spaces play, and computed before (IA4D Table 2)")},
+    TableText{"ia4d-table3", QT_TRANSLATE_NOOP("Evaluation", "Interpolated distances of poses"),
+              QT_TRANSLATE_NOOP("Evaluation", "How far distances that are interpolated between takes are "
+                                              "from true ones (IA4D Table 3)")},
 };
 static_assert(tableTexts.size() == evaluationTables.size());
 

@@ -158,6 +158,11 @@ QString EvaluationChooser::hindrance(const QString& table) const
         return tr("The project has no variations.");
     if (needsAppearance(table.toStdString()) && project.appearances.empty())
         return tr("The project has no model of appearance.");
+    const std::size_t spaces = neededMotionSpaces(table.toStdString());
+    const auto hasTakes = [](const MotionSpaceEntry& entry) { return entry.takes.size() > 1; };
+    if (std::ranges::count_if(project.motionSpaces, hasTakes) < static_cast<std::ptrdiff_t>(spaces))
+        return spaces > 1 ? tr("The project has no two motion spaces of several takes.")
+                          : tr("The project has no motion space of several takes.");
     const auto isUnknown = [](const TransferEntry& transfer) { return transfer.truth.empty(); };
     if (needsTruth(table.toStdString()) && std::ranges::all_of(project.transfers, isUnknown))
         return tr("No transfer names a clip that shows what it ought to be.");

@@ -35,6 +35,14 @@ std::vector<std::string> sequencesOf(const Project& project, const EvaluationEnt
     return names;
 }
 
+bool isWithoutSpaces(const Project& project, const EvaluationEntry& evaluation)
+{
+    const std::size_t needed = neededMotionSpaces(evaluation.table);
+    return needed > 0 && std::ranges::none_of(project.motionSpaces, [&](const MotionSpaceEntry& entry) {
+               return steeredSpaces(project, characterNameOf(project, entry)) >= needed;
+           });
+}
+
 void validateEvaluation(const Project& project, const EvaluationEntry& evaluation, const std::string& pointer,
                         ProjectProblems& problems)
 {
@@ -65,6 +73,14 @@ void validateEvaluation(const Project& project, const EvaluationEntry& evaluatio
         problems.push_back(warningAt(pointer, "No transfer of the project says what it ought to be",
                                      "Name a clip as “truth” of a transfer, or leave out " +
                                          quoted(evaluation.table) + "."));
+    if (isWithoutSpaces(project, evaluation))
+        problems.push_back(
+            warningAt(pointer,
+                      "No character has " +
+                          std::string(neededMotionSpaces(evaluation.table) > 1 ? "two motion spaces"
+                                                                               : "a motion space") +
+                          " of several takes to evaluate",
+                      "Add some under “motion_spaces”, or leave out " + quoted(evaluation.table) + "."));
     for (std::size_t i = 0; i < evaluation.sequences.size(); ++i) {
         if (!contains(known, evaluation.sequences[i]))
             invalid("/sequences/" + std::to_string(i),

@@ -36,7 +36,7 @@ struct EvaluationEntry
 };
 
 /// The tables that can be computed, most by their numbers in SMCAS.
-inline constexpr std::array<std::string_view, 22> evaluationTables{
+inline constexpr std::array<std::string_view, 26> evaluationTables{
     "fig4",       ///< interpolation of poses: how edges and volume are kept
     "fig7",       ///< kinds of transitions
     "fig9",       ///< Essential graph and motion graph
@@ -59,6 +59,10 @@ inline constexpr std::array<std::string_view, 22> evaluationTables{
     "appearance-shape",         ///< not of the paper: textures learned from poses, a take left out
     "appearance-rates",         ///< not of the paper: bytes of textures and what they lose
     "transfer-error",           ///< not of the paper: transfers against what they ought to be
+    "ia4d-table1",              ///< IA4D: hybrid blends against non-linear ones, by the number of references
+    "ia4d-fig4",                ///< the same along the ways from take to take
+    "ia4d-table2",              ///< transitions that are found while spaces play, and those computed before
+    "ia4d-table3",              ///< interpolated distances of poses against true ones
 };
 
 /// Whether a table is of a model of appearance.
@@ -72,6 +76,12 @@ inline bool needsAppearance(std::string_view table)
 inline bool needsTruth(std::string_view table)
 {
     return table == "transfer-error";
+}
+
+/// Of how many motion spaces of at least two takes a table is; 0 where it is of none.
+inline std::size_t neededMotionSpaces(std::string_view table)
+{
+    return !table.starts_with("ia4d-") ? 0 : table == "ia4d-table1" || table == "ia4d-fig4" ? 1 : 2;
 }
 
 /// Whether a table is of variations.

@@ -29,7 +29,11 @@ MakeStep makerOf(const std::string& table)
                                                         {"cvs-fig4", cvsFig4Step},
                                                         {"cvs-fig7", cvsFig7Step},
                                                         {"variations", variationsStep},
-                                                        {"transfer-error", transferErrorStep}};
+                                                        {"transfer-error", transferErrorStep},
+                                                        {"ia4d-table1", ia4dTable1Step},
+                                                        {"ia4d-fig4", ia4dFig4Step},
+                                                        {"ia4d-table2", ia4dTable2Step},
+                                                        {"ia4d-table3", ia4dTable3Step}};
     const auto found = makers.find(table);
     return found == makers.end() ? nullptr : found->second;
 }
@@ -71,6 +75,8 @@ bool isPossible(const std::string& table, const CharacterInputs& work)
         return appearanceOf(work.opener->project(), work.character) != nullptr;
     if (needsTruth(table))
         return !transfersWithTruth(work.opener->project(), work.character).empty();
+    if (const std::size_t needed = neededMotionSpaces(table); needed > 0)
+        return steeredSpaces(work.opener->project(), work.character) >= needed;
     return !needsVariations(table) || !learnedVariations(work.opener->project(), work.character).empty();
 }
 

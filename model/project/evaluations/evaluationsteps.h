@@ -33,6 +33,12 @@ BuildStep variationsStep(const CharacterInputs& work, const EvaluationEntry& eva
 /// \pre The character performs a transfer that names a truth.
 BuildStep transferErrorStep(const CharacterInputs& work, const EvaluationEntry& evaluation);
 
+/// \pre The character has as many motion spaces as neededMotionSpaces tells.
+BuildStep ia4dTable1Step(const CharacterInputs& work, const EvaluationEntry& evaluation);
+BuildStep ia4dFig4Step(const CharacterInputs& work, const EvaluationEntry& evaluation);
+BuildStep ia4dTable2Step(const CharacterInputs& work, const EvaluationEntry& evaluation);
+BuildStep ia4dTable3Step(const CharacterInputs& work, const EvaluationEntry& evaluation);
+
 /// The sequences of a character that have reference joint angles, as positions in its list.
 std::vector<std::size_t> sequencesWithAngles(const CharacterInputs& work);
 

@@ -83,7 +83,11 @@ void describe(Fields& f, Type<EvaluationEntry>)
              "that were left out (fig19, fig20), textures between two by Eigen textures (fig22) and "
              "against captured ones (appearance-interpolation), those of poses of a take that was left out "
              "(appearance-shape), and bytes (appearance-rates). Of transfers that name a truth: how far "
-             "they are from it (transfer-error).",
+             "they are from it (transfer-error). Of motion spaces: how far their blends are from non-linear "
+             "ones "
+             "(ia4d-table1, ia4d-fig4), transitions between them (ia4d-table2), and interpolated distances "
+             "of "
+             "poses (ia4d-table3).",
          .need = Need::Required,
          .choices = evaluationTables});
     f.reference("character", &E::character, NamedKind::Character,
