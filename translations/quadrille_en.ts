@@ -364,6 +364,23 @@
     </message>
 </context>
 <context>
+    <name>quadrille::MotionSpacePage</name>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reference(s)</source>
+        <translation>
+            <numerusform>%n reference</numerusform>
+            <numerusform>%n references</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::MovementPanel</name>
     <message numerus="yes">
         <source>Learn from %n takes</source>
@@ -480,6 +497,13 @@
         <translation>
             <numerusform>Remove %n projection</numerusform>
             <numerusform>Remove %n projections</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n motion spaces</source>
+        <translation>
+            <numerusform>Remove %n motion space</numerusform>
+            <numerusform>Remove %n motion spaces</numerusform>
         </translation>
     </message>
 </context>

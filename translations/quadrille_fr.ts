@@ -509,6 +509,38 @@
         <source>Angle that paired triangles miss</source>
         <translation>Angle que manquent les triangles appariés</translation>
     </message>
+    <message>
+        <source>Hybrid blends</source>
+        <translation>Mélanges hybrides</translation>
+    </message>
+    <message>
+        <source>How far blends of motion spaces are from non-linear ones, and what they take, by the number of references (IA4D Table 1)</source>
+        <translation>À quelle distance les mélanges des espaces de mouvement sont des mélanges non linéaires, et la place qu’ils prennent, selon le nombre de références (IA4D, table 1)</translation>
+    </message>
+    <message>
+        <source>Hybrid blends from take to take</source>
+        <translation>Mélanges hybrides de prise à prise</translation>
+    </message>
+    <message>
+        <source>The same along the ways from take to take (IA4D Fig. 4)</source>
+        <translation>La même chose le long des chemins de prise à prise (IA4D, fig. 4)</translation>
+    </message>
+    <message>
+        <source>Transitions between motion spaces</source>
+        <translation>Transitions entre espaces de mouvement</translation>
+    </message>
+    <message>
+        <source>What transitions cost and how long they take: found while spaces play, and computed before (IA4D Table 2)</source>
+        <translation>Ce que les transitions coûtent et le temps qu’elles prennent&#xa0;: trouvées pendant le jeu, et calculées d’avance (IA4D, table 2)</translation>
+    </message>
+    <message>
+        <source>Interpolated distances of poses</source>
+        <translation>Distances de poses interpolées</translation>
+    </message>
+    <message>
+        <source>How far distances that are interpolated between takes are from true ones (IA4D Table 3)</source>
+        <translation>À quel point les distances interpolées entre prises s’écartent des vraies (IA4D, table 3)</translation>
+    </message>
 </context>
 <context>
     <name>EvaluationWord</name>
@@ -1595,8 +1627,8 @@
 <context>
     <name>Length</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
+        <source>%1&#xa0;m</source>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>%1 cm</source>
@@ -4277,8 +4309,8 @@
 <context>
     <name>quadrille::AxesFields</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
+        <source>%1&#xa0;m</source>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>Up axis</source>
@@ -5179,6 +5211,14 @@
     <message>
         <source>No transfer names a clip that shows what it ought to be.</source>
         <translation>Aucun transfert ne nomme un clip qui montre ce qu’il devrait être.</translation>
+    </message>
+    <message>
+        <source>The project has no two motion spaces of several takes.</source>
+        <translation>Le projet n’a pas deux espaces de mouvement de plusieurs prises.</translation>
+    </message>
+    <message>
+        <source>The project has no motion space of several takes.</source>
+        <translation>Le projet n’a pas d’espace de mouvement de plusieurs prises.</translation>
     </message>
 </context>
 <context>
@@ -8381,6 +8421,301 @@
     </message>
 </context>
 <context>
+    <name>quadrille::MotionSpaceEdits</name>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>Add motion space “%1”</source>
+        <translation>Ajouter l’espace de mouvement «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Duplicate “%1”</source>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MotionSpacePage</name>
+    <message>
+        <source>Whose movement it is; takes are chosen anew with another one</source>
+        <translation>De qui est le mouvement&#xa0;; avec un autre, les prises sont à choisir de nouveau</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Prises</translation>
+    </message>
+    <message>
+        <source>What the space is made of, and where each take lies on its axes</source>
+        <translation>De quoi l’espace est fait, et où chaque prise se trouve sur ses axes</translation>
+    </message>
+    <message>
+        <source>Set the frames of a take</source>
+        <translation>Régler les images d’une prise</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Exactly these; all of them, or the cycle that is found in them</source>
+        <translation>Exactement celles-ci&#xa0;; toutes, ou le cycle qui y est trouvé</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>En miroir</translation>
+    </message>
+    <message>
+        <source>Left and right are exchanged</source>
+        <translation>La gauche et la droite sont échangées</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>À l’envers</translation>
+    </message>
+    <message>
+        <source>It is played from its last frame to its first</source>
+        <translation>Elle est jouée de sa dernière image à sa première</translation>
+    </message>
+    <message>
+        <source>Played at</source>
+        <translation>Jouée à</translation>
+    </message>
+    <message>
+        <source>1 is as it was captured</source>
+        <translation>1&#xa0;: comme elle a été captée</translation>
+    </message>
+    <message>
+        <source>Set the place of a take</source>
+        <translation>Régler la place d’une prise</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>A value of each parameter, with ; between them; measured where it is empty</source>
+        <translation>Une valeur par paramètre, séparées par&#xa0;; – mesurée si elle est vide</translation>
+    </message>
+    <message>
+        <source>Steered by</source>
+        <translation>Conduit par</translation>
+    </message>
+    <message>
+        <source>What its takes differ in: one to three parameters</source>
+        <translation>Ce qui distingue ses prises&#xa0;: un à trois paramètres</translation>
+    </message>
+    <message>
+        <source>Add a parameter</source>
+        <translation>Ajouter un paramètre</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
+    <message>
+        <source>Name a parameter</source>
+        <translation>Nommer un paramètre</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Unique in the space</source>
+        <translation>Unique dans l’espace</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesure</translation>
+    </message>
+    <message>
+        <source>What is measured of each take, and of the blends between them</source>
+        <translation>Ce qui est mesuré de chaque prise, et des mélanges entre elles</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Turning to the left</source>
+        <translation>Rotation vers la gauche</translation>
+    </message>
+    <message>
+        <source>Height of a jump</source>
+        <translation>Hauteur d’un saut</translation>
+    </message>
+    <message>
+        <source>Length of a jump</source>
+        <translation>Longueur d’un saut</translation>
+    </message>
+    <message>
+        <source>Height of a vertex</source>
+        <translation>Hauteur d’un sommet</translation>
+    </message>
+    <message>
+        <source>Forward way of a vertex</source>
+        <translation>Avance d’un sommet</translation>
+    </message>
+    <message>
+        <source>Way of a vertex to the left</source>
+        <translation>Écart d’un sommet à gauche</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>Sommet</translation>
+    </message>
+    <message>
+        <source>Of the mesh, from 0</source>
+        <translation>Du maillage, à partir de 0</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Référence</translation>
+    </message>
+    <message>
+        <source>The take whose frames are those of the space</source>
+        <translation>La prise dont les images sont celles de l’espace</translation>
+    </message>
+    <message>
+        <source>the first</source>
+        <translation>la première</translation>
+    </message>
+    <message>
+        <source>Find cycles</source>
+        <translation>Chercher les cycles</translation>
+    </message>
+    <message>
+        <source>Takes of walking and running are cut to one cycle, which repeats</source>
+        <translation>Les prises de marche et de course sont réduites à un cycle, qui se répète</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>By how much blends may miss the non-linear ones at most</source>
+        <translation>De combien les mélanges peuvent manquer les non linéaires au plus</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>References at most</source>
+        <translation>Références au plus</translation>
+    </message>
+    <message>
+        <source>Non-linear blends that are stored to keep the tolerance; 0 for linear blends</source>
+        <translation>Mélanges non linéaires gardés pour tenir la tolérance&#xa0;; 0 pour des mélanges linéaires</translation>
+    </message>
+    <message>
+        <source>Change the character of “%1”</source>
+        <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Add the take “%1”</source>
+        <translation>Ajouter la prise «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Remove the take “%1”</source>
+        <translation>Retirer la prise «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Remove a parameter</source>
+        <translation>Retirer un paramètre</translation>
+    </message>
+    <message>
+        <source>Add a take</source>
+        <translation>Ajouter une prise</translation>
+    </message>
+    <message>
+        <source>Remove the take</source>
+        <translation>Retirer la prise</translation>
+    </message>
+    <message>
+        <source>Remove the parameter</source>
+        <translation>Retirer le paramètre</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;m/s</source>
+        <translation>%1&#xa0;m/s</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;°/s</source>
+        <translation>%1&#xa0;°/s</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;m</source>
+        <translation>%1&#xa0;m</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>en miroir</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>à l’envers</translation>
+    </message>
+    <message>
+        <source>%1 · %2 to %3, missed by %4 at most</source>
+        <translation>%1 · de %2 à %3, manqué de %4 au plus</translation>
+    </message>
+    <message>
+        <source>It has no takes</source>
+        <translation>Il n’a pas de prises</translation>
+    </message>
+    <message>
+        <source>Being computed …</source>
+        <translation>En calcul …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2; %3, %4; blends miss non-linear ones by %5 mm at most</source>
+        <translation>%1, %2&#xa0;; %3, %4&#xa0;; les mélanges manquent les non linéaires de %5&#xa0;mm au plus</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>se répète</translation>
+    </message>
+    <message>
+        <source>plays once</source>
+        <translation>joué une fois</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reference(s)</source>
+        <translation>
+            <numerusform>%n référence</numerusform>
+            <numerusform>%n références</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::MotionSpaceResults</name>
+    <message>
+        <source>Motion space “%1”</source>
+        <translation>Espace de mouvement «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::MovementPanel</name>
     <message>
         <source>Take</source>
@@ -9376,8 +9711,8 @@ maximal %2</translation>
         <translation>%1, images %2 – %3</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
+        <source>%1&#xa0;m/s</source>
+        <translation>%1&#xa0;m/s</translation>
     </message>
     <message>
         <source>any frames</source>
@@ -10216,6 +10551,13 @@ maximal %2</translation>
             <numerusform>Supprimer %n projections</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n motion spaces</source>
+        <translation>
+            <numerusform>Retirer %n espace de mouvement</numerusform>
+            <numerusform>Retirer %n espaces de mouvement</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -10384,6 +10726,22 @@ maximal %2</translation>
     <message>
         <source>Fold all</source>
         <translation>Tout replier</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>New &amp;motion space</source>
+        <translation>Nouvel espace de &amp;mouvement</translation>
+    </message>
+    <message>
+        <source>Make the selected takes one movement that is steered, such as by its speed</source>
+        <translation>Faire des prises choisies un seul mouvement que l’on conduit, par exemple par sa vitesse</translation>
+    </message>
+    <message>
+        <source>motion space</source>
+        <translation>espace de mouvement</translation>
     </message>
 </context>
 <context>
@@ -10566,6 +10924,10 @@ maximal %2</translation>
         <source>Projections (%1)</source>
         <translation>Projections (%1)</translation>
     </message>
+    <message>
+        <source>Motion spaces (%1)</source>
+        <translation>Espaces de mouvement (%1)</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectionEdits</name>
@@ -10575,7 +10937,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation>Dupliquer « %1 »</translation>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -12712,7 +13074,7 @@ maximal %2</translation>
     </message>
     <message>
         <source>Duplicate “%1”</source>
-        <translation>Dupliquer « %1 »</translation>
+        <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -13003,9 +13365,9 @@ maximal %2</translation>
         <translation>Les meilleures suivantes, de là à peu près</translation>
     </message>
     <message>
-        <source>%1 m/s</source>
+        <source>%1&#xa0;m/s</source>
         <extracomment>a speed</extracomment>
-        <translation>%1 m/s</translation>
+        <translation>%1&#xa0;m/s</translation>
     </message>
     <message>
         <source>Foot slide</source>

@@ -145,7 +145,7 @@ void Menus::addVariations()
                 "variations.discard", "variations.addSequence"});
     addSubmenu(*variations, "latentMenu", [] { return tr("&Latent space"); },
                {"variations.original", "variations.confidence", "variations.frameLatent"});
-    fill(*variations, {"", "variations.export"});
+    fill(*variations, {"", "variations.export", "", "motionSpaces.new"});
 }
 
 void Menus::addAppearance()

@@ -9,6 +9,7 @@
 #include "editor/documents/bodyproblems.h"
 #include "editor/documents/evaluationresults.h"
 #include "editor/documents/graphresults.h"
+#include "editor/documents/motionspaceresults.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
 #include "editor/documents/sequencemedia.h"
@@ -32,6 +33,7 @@ struct EditorContext
         , graphs(document, jobs)
         , animations(document, graphs, jobs)
         , variations(document, jobs)
+        , motionSpaces(document, jobs)
         , evaluations(document, jobs)
         , appearances(document, jobs)
         , transfers(document, jobs)
@@ -62,6 +64,7 @@ struct EditorContext
     GraphResults graphs;
     AnimationResults animations;
     VariationResults variations;
+    MotionSpaceResults motionSpaces;
     EvaluationResults evaluations;
     AppearanceResults appearances;
     TransferResults transfers;

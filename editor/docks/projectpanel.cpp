@@ -6,6 +6,7 @@
 #include "editor/commands/appearanceedits.h"
 #include "editor/commands/brokenedits.h"
 #include "editor/commands/entrynames.h"
+#include "editor/commands/motionspaceedits.h"
 #include "editor/commands/projectedits.h"
 #include "editor/commands/projectionedits.h"
 #include "editor/commands/transferedits.h"
@@ -56,6 +57,8 @@ ProjectTreeModel::EntryStatus statusOf(const EditorContext& context, const Entry
         return statusOf(context.animations.resultState(entry.name));
     if (entry.section == Section::Variations)
         return statusOf(context.variations.resultState(entry.name));
+    if (entry.section == Section::MotionSpaces)
+        return statusOf(context.motionSpaces.resultState(entry.name));
     if (entry.section == Section::Appearances)
         return statusOf(context.appearances.resultState(entry.name));
     if (entry.section == Section::Transfers)
@@ -111,6 +114,9 @@ ProjectPanel::ProjectPanel(EditorContext& context, QWidget* parent)
     });
     connect(&context.variations, &VariationResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Variations, name});
+    });
+    connect(&context.motionSpaces, &MotionSpaceResults::changed, this, [this](const QString& name) {
+        m_model->updateStatus({Section::MotionSpaces, name});
     });
     connect(&context.appearances, &AppearanceResults::changed, this, [this](const QString& name) {
         m_model->updateStatus({Section::Appearances, name});
@@ -168,6 +174,18 @@ void ProjectPanel::makeActions()
                                    "delete",
                                    {QKeySequence::Delete}},
                                   [this] { removeSelected(); });
+    actions.add(
+        {"motionSpaces.new",
+         [] { return tr("Variations"); },
+         [] { return tr("New &motion space"); },
+         [] { return tr("Make the selected takes one movement that is steered, such as by its speed"); },
+         "add",
+         {}},
+        [this] {
+            const QString name =
+                addMotionSpace(m_context.document, tr("motion space"), m_context.selection.sequences());
+            m_context.selection.select({Section::MotionSpaces, name});
+        });
     // Keys that mean something else in a text or on the timeline.
     for (QAction* action : {rename, duplicate, remove}) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -250,6 +268,9 @@ void ProjectPanel::duplicateSelected()
     else if (current.section == Section::Variations)
         m_context.selection.select(
             {Section::Variations, duplicateVariation(m_context.document, current.name)});
+    else if (current.section == Section::MotionSpaces)
+        m_context.selection.select(
+            {Section::MotionSpaces, duplicateMotionSpace(m_context.document, current.name)});
     else if (current.section == Section::Appearances)
         m_context.selection.select(
             {Section::Appearances, duplicateAppearance(m_context.document, current.name)});

@@ -27,6 +27,7 @@ enum class Section
     Animations,
     BodyParts, ///< an entry is called by its character
     Variations,
+    MotionSpaces,
     Appearances,
     Transfers,
     Projections,
@@ -70,6 +71,7 @@ inline constexpr std::tuple named{
     Place<std::vector<SequenceEntry>>(Section::Sequences, &Project::sequences),
     Place<std::vector<AnimationEntry>>(Section::Animations, &Project::animations),
     Place<std::vector<VariationEntry>>(Section::Variations, &Project::variations),
+    Place<std::vector<MotionSpaceEntry>>(Section::MotionSpaces, &Project::motionSpaces),
     Place<std::vector<AppearanceEntry>>(Section::Appearances, &Project::appearances),
     Place<std::vector<TransferEntry>>(Section::Transfers, &Project::transfers),
     Place<std::vector<ProjectionEntry>>(Section::Projections, &Project::projections),

@@ -10,6 +10,7 @@
 #include "editor/properties/brokenpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
+#include "editor/properties/motionspacepage.h"
 #include "editor/properties/projectionpage.h"
 #include "editor/properties/projectpage.h"
 #include "editor/properties/sequencepage.h"
@@ -35,6 +36,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
                 {Section::Sequences, new SequencePage(context)},
                 {Section::Animations, new AnimationPage(context)},
                 {Section::Variations, new VariationPage(context)},
+                {Section::MotionSpaces, new MotionSpacePage(context)},
                 {Section::Appearances, new AppearancePage(context)},
                 {Section::Transfers, new TransferPage(context)},
                 {Section::Projections, new ProjectionPage(context)},
