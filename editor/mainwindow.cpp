@@ -23,6 +23,7 @@
 #include "editor/workspaces/animate/keysandstoryboard.h"
 #include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
+#include "editor/workspaces/live/liveworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/transfer/transferworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
@@ -130,6 +131,7 @@ void MainWindow::makeCentre()
     m_variations = new VariationsWorkspace(m_context);
     m_appearance = new AppearanceWorkspace(m_context);
     m_transfer = new TransferWorkspace(m_context);
+    m_live = new LiveWorkspace(m_context);
     m_animate->keysAndStoryboard().setShownPose(
         [this] { return m_workspaces->currentWorkspace()->shownPose(); });
     m_strips = new ProjectStrips(m_context, *m_files);
@@ -185,6 +187,8 @@ void MainWindow::connectAll()
     connect(m_variations, &VariationsWorkspace::exportRequested, this,
             [this](const QString& clip) { m_export->exportClips({clip}); });
     connect(m_transfer, &TransferWorkspace::exportRequested, this,
+            [this](const QString& clip) { m_export->exportClips({clip}); });
+    connect(m_live, &LiveWorkspace::exportRequested, this,
             [this](const QString& clip) { m_export->exportClips({clip}); });
     connect(m_pictures, &PictureFlow::saved, this,
             [this](const QStringList& files) { showMessage(tr("Saved to %1").arg(files.value(0)), files); });

@@ -16,6 +16,7 @@ namespace quadrille {
 
 class AnimateWorkspace;
 class AppearanceWorkspace;
+class LiveWorkspace;
 class TransferWorkspace;
 class ExportFlow;
 class GraphWorkspace;
@@ -65,6 +66,7 @@ public:
     VariationsWorkspace& variations() { return *m_variations; }
     AppearanceWorkspace& appearance() { return *m_appearance; }
     TransferWorkspace& transfer() { return *m_transfer; }
+    LiveWorkspace& live() { return *m_live; }
     PictureFlow& pictures() { return *m_pictures; }
     ProjectFiles& files() { return *m_files; }
     ProjectStrips& strips() { return *m_strips; }
@@ -115,6 +117,7 @@ private:
     VariationsWorkspace* m_variations = nullptr;
     AppearanceWorkspace* m_appearance = nullptr;
     TransferWorkspace* m_transfer = nullptr;
+    LiveWorkspace* m_live = nullptr;
     PictureFlow* m_pictures = nullptr;
     QList<QDockWidget*> m_docks;
     QDockWidget* m_propertiesDock = nullptr;

@@ -16,6 +16,7 @@
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/appearance/appearanceworkspace.h"
 #include "editor/workspaces/graph/graphworkspace.h"
+#include "editor/workspaces/live/liveworkspace.h"
 #include "editor/workspaces/sequences/sequencesworkspace.h"
 #include "editor/workspaces/transfer/transferworkspace.h"
 #include "editor/workspaces/variations/variationsworkspace.h"
@@ -123,6 +124,8 @@ void MainWindow::makeWorkspaces()
         "appearance", [] { return tr("A&ppearance"); }, m_appearance);
     add(
         "transfer", [] { return tr("T&ransfer"); }, m_transfer);
+    add(
+        "live", [] { return tr("&Live"); }, m_live);
 }
 
 void MainWindow::makeMenus()

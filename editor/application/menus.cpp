@@ -72,7 +72,7 @@ void Menus::addView()
     m_view = addMenu("viewMenu", [] { return tr("&View"); }, {});
     addSubmenu(*m_view, "workspaceMenu", [] { return tr("Wor&kspace"); },
                {"workspace.sequences", "workspace.graph", "workspace.animate", "workspace.variations",
-                "workspace.appearance", "workspace.transfer"});
+                "workspace.appearance", "workspace.transfer", "workspace.live"});
     fill(*m_view, {""});
     addSubmenu(*m_view, "shadingMenu", [] { return tr("&Shading"); },
                {"view.textured", "view.clay", "view.wire"});

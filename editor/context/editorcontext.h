@@ -9,6 +9,7 @@
 #include "editor/documents/bodyproblems.h"
 #include "editor/documents/evaluationresults.h"
 #include "editor/documents/graphresults.h"
+#include "editor/documents/livegraphresults.h"
 #include "editor/documents/motionspaceresults.h"
 #include "editor/documents/projectdocument.h"
 #include "editor/documents/selection.h"
@@ -35,6 +36,7 @@ struct EditorContext
         , variations(document, jobs)
         , motionSpaces(document, jobs)
         , evaluations(document, jobs)
+        , liveGraphs(document, jobs)
         , appearances(document, jobs)
         , transfers(document, jobs)
     {
@@ -66,6 +68,7 @@ struct EditorContext
     VariationResults variations;
     MotionSpaceResults motionSpaces;
     EvaluationResults evaluations;
+    LiveGraphResults liveGraphs;
     AppearanceResults appearances;
     TransferResults transfers;
     BodyProblems bodies;

@@ -28,6 +28,7 @@ enum class Section
     BodyParts, ///< an entry is called by its character
     Variations,
     MotionSpaces,
+    Lives,
     Appearances,
     Transfers,
     Projections,
@@ -72,6 +73,7 @@ inline constexpr std::tuple named{
     Place<std::vector<AnimationEntry>>(Section::Animations, &Project::animations),
     Place<std::vector<VariationEntry>>(Section::Variations, &Project::variations),
     Place<std::vector<MotionSpaceEntry>>(Section::MotionSpaces, &Project::motionSpaces),
+    Place<std::vector<LiveEntry>>(Section::Lives, &Project::lives),
     Place<std::vector<AppearanceEntry>>(Section::Appearances, &Project::appearances),
     Place<std::vector<TransferEntry>>(Section::Transfers, &Project::transfers),
     Place<std::vector<ProjectionEntry>>(Section::Projections, &Project::projections),

@@ -237,7 +237,8 @@ void ExportDialog::keep(const std::vector<ExportEntry>& entries)
             return document.animation(name) != nullptr;
         if (clip.startsWith(QLatin1String("variations/")))
             return document.variation(name) != nullptr;
-        return transferOfClip(document.project(), what) != nullptr ||
+        return liveOfClip(document.project(), what) != nullptr ||
+               transferOfClip(document.project(), what) != nullptr ||
                projectionOfClip(document.project(), what) != nullptr;
     };
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -57,7 +57,8 @@ void ExportFlow::exportSelection()
 QStringList ExportFlow::selectedClips() const
 {
     const Selection& selection = m_context.selection;
-    const std::array<std::pair<Section, const char*>, 4> made{{{Section::Animations, "animations/"},
+    const std::array<std::pair<Section, const char*>, 5> made{{{Section::Animations, "animations/"},
+                                                               {Section::Lives, "live/"},
                                                                {Section::Variations, "variations/"},
                                                                {Section::Transfers, "transfers/"},
                                                                {Section::Projections, "projections/"}}};

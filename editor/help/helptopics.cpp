@@ -76,6 +76,10 @@ constexpr std::array table{
     Row{"masksPanel", "appearance", "Masks"},
     Row{"betweenPanel", "appearance", "Between"},
     Row{"qualityPanel", "appearance", "Quality"},
+    // Live
+    Row{"liveWorkspace", "live"},
+    Row{"steeringPanel", "live", "Steering"},
+    Row{"rewindPanel", "live", "Rewind"},
     // Transfer
     Row{"transferWorkspace", "transfer"},
     Row{"pairsPanel", "transfer", "Pairs"},

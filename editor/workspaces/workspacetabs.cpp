@@ -24,6 +24,14 @@ namespace quadrille {
 
 namespace {
 
+/// From F5 to F10, then with Shift.
+QKeySequence keyOf(int index)
+{
+    constexpr int plain = 6;
+    const auto key = static_cast<Qt::Key>(Qt::Key_F5 + index % plain);
+    return index < plain ? QKeySequence(key) : QKeySequence(Qt::SHIFT | key);
+}
+
 /// Of docks below the view, the first time: the view matters more.
 constexpr int lowHeight = 150;
 /// Of docks at the right that have others below them: parts of the window's width, but no less or more than
@@ -74,7 +82,7 @@ void WorkspaceTabs::add(Entry entry)
                            entry.title,
                            {},
                            {},
-                           {QKeySequence(static_cast<Qt::Key>(Qt::Key_F5 + index))}},
+                           {keyOf(index)}},
                           [this, index] { m_bar->setCurrentIndex(index); });
     m_entries.push_back(std::move(entry));
 }

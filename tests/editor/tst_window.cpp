@@ -341,7 +341,8 @@ private slots:
     {
         const QTemporaryDir folder;
         const auto markers = [&folder] { return QDir(folder.path()).entryList({"starting-*"}, QDir::Files); };
-        // Left by programs that do not run any more, the last one by one that was killed as it removed a lock.
+        // Left by programs that do not run any more, the last one by one that was killed as it removed a
+        // lock.
         for (const char* name : {"starting-a", "starting-b", "starting-b.lock.rmlock"}) {
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::WriteOnly));

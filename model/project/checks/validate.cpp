@@ -5,6 +5,7 @@
 #include "model/project/checks/validateanimations.h"
 #include "model/project/checks/validateappearances.h"
 #include "model/project/checks/validateevaluations.h"
+#include "model/project/checks/validatelives.h"
 #include "model/project/checks/validatemotionspaces.h"
 #include "model/project/checks/validatevariations.h"
 #include "model/project/document/clipdependencies.h"
@@ -37,6 +38,7 @@ public:
         validateAnimations(m_project, m_problems);
         validateVariations(m_project, m_problems);
         validateMotionSpaces(m_project, m_problems);
+        validateLives(m_project, m_problems);
         validateAppearances(m_project, m_problems);
         for (std::size_t i = 0; i < m_project.transfers.size(); ++i)
             checkTransfer(m_project.transfers[i], "/transfers/" + std::to_string(i));
@@ -127,6 +129,11 @@ private:
             const auto known = namesOf(m_project.animations);
             if (std::find(known.begin(), known.end(), name) == known.end())
                 invalid(pointer, "There is no animation " + quoted(name),
+                        meantOr(name, known, "Correct the name."));
+        } else if (section == "live") {
+            const auto known = namesOf(m_project.lives);
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                invalid(pointer, "There is no live performance " + quoted(name),
                         meantOr(name, known, "Correct the name."));
         } else if (section == "transfers") {
             const auto known = namesOf(m_project.transfers);

@@ -115,6 +115,16 @@ Project partsOfClip(const Project& project, const std::string& clip)
         if (at != clips.end() && at->starts_with(prefix))
             parts.variations.push_back(variation);
     }
+    for (const LiveEntry& live : project.lives) {
+        if (clips.contains("live/" + live.name))
+            parts.lives.push_back(live);
+    }
+    for (const LiveEntry& live : parts.lives) {
+        for (const MotionSpaceEntry& space : project.motionSpaces) {
+            if (contains(live.spaces, space.name) && !contains(parts.motionSpaces, space))
+                parts.motionSpaces.push_back(space);
+        }
+    }
     for (const TransferEntry& transfer : project.transfers) {
         if (clips.contains("transfers/" + transfer.name)) {
             parts.transfers.push_back(transfer);
@@ -125,7 +135,7 @@ Project partsOfClip(const Project& project, const std::string& clip)
         if (clips.contains("projections/" + projection.name))
             parts.projections.push_back(projection);
     }
-    if (!parts.variations.empty())
+    if (!parts.variations.empty() || !parts.lives.empty())
         parts.bodyParts = project.bodyParts;
     return parts;
 }

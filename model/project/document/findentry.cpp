@@ -53,6 +53,11 @@ const MotionSpaceEntry* findMotionSpace(const Project& project, const std::strin
     return findEntry(project.motionSpaces, name);
 }
 
+const LiveEntry* findLive(const Project& project, const std::string& name)
+{
+    return findEntry(project.lives, name);
+}
+
 const AppearanceEntry* findAppearance(const Project& project, const std::string& name)
 {
     return findEntry(project.appearances, name);
@@ -89,6 +94,13 @@ std::string characterNameOf(const Project& project, const VariationEntry& variat
 std::string characterNameOf(const Project& project, const MotionSpaceEntry& space)
 {
     return characterOrOnlyOne(project, space.character);
+}
+
+std::string characterNameOf(const Project& project, const LiveEntry& live)
+{
+    const MotionSpaceEntry* space =
+        live.spaces.empty() ? nullptr : findMotionSpace(project, live.spaces.front());
+    return space != nullptr ? characterNameOf(project, *space) : std::string();
 }
 
 std::string characterNameOf(const Project& project, const AppearanceEntry& appearance)

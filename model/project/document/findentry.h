@@ -14,6 +14,7 @@ const SequenceEntry* findSequence(const Project& project, const std::string& nam
 const AnimationEntry* findAnimation(const Project& project, const std::string& name);
 const VariationEntry* findVariation(const Project& project, const std::string& name);
 const MotionSpaceEntry* findMotionSpace(const Project& project, const std::string& name);
+const LiveEntry* findLive(const Project& project, const std::string& name);
 const AppearanceEntry* findAppearance(const Project& project, const std::string& name);
 const TransferEntry* findTransfer(const Project& project, const std::string& name);
 const ProjectionEntry* findProjection(const Project& project, const std::string& name);
@@ -24,6 +25,8 @@ const AppearanceEntry* appearanceOf(const Project& project, const std::string& c
 std::string characterNameOf(const Project& project, const AnimationEntry& animation);
 std::string characterNameOf(const Project& project, const VariationEntry& variation);
 std::string characterNameOf(const Project& project, const MotionSpaceEntry& space);
+/// That of its first space.
+std::string characterNameOf(const Project& project, const LiveEntry& live);
 std::string characterNameOf(const Project& project, const AppearanceEntry& appearance);
 /// How many motion spaces of at least two takes a character has.
 std::size_t steeredSpaces(const Project& project, const std::string& character);

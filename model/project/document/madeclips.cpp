@@ -15,6 +15,7 @@ namespace {
 
 constexpr auto animationsSection = "animations";
 constexpr auto variationsSection = "variations";
+constexpr auto liveSection = "live";
 constexpr auto transfersSection = "transfers";
 constexpr auto projectionsSection = "projections";
 
@@ -49,6 +50,10 @@ private:
                    (findsIn(transfer->target.sequence) || findsClip(transfer->clip));
         if (projectionOfClip(m_project, clip) != nullptr)
             return findsClip(clipBelow(m_project, clip));
+        if (liveOfClip(m_project, clip) != nullptr) {
+            const std::vector<std::string> takes = sequencesOfClip(m_project, clip);
+            return std::ranges::any_of(takes, [this](const std::string& take) { return findsIn(take); });
+        }
         const auto varied = variationOfClip(clip);
         const VariationEntry* variation = varied ? findVariation(m_project, varied->variation) : nullptr;
         return variation != nullptr &&
@@ -87,6 +92,12 @@ std::optional<VariationNumber> variationOfClip(std::string_view clip)
     if (error != std::errc() || end != last || found.number < 1)
         return std::nullopt;
     return found;
+}
+
+const LiveEntry* liveOfClip(const Project& project, std::string_view clip)
+{
+    const auto name = nameOfClip(clip, liveSection);
+    return name ? findLive(project, *name) : nullptr;
 }
 
 const TransferEntry* transferOfClip(const Project& project, std::string_view clip)
@@ -195,7 +206,7 @@ std::vector<std::string> partNamesOf(const Project& project, const VariationEntr
 bool isMadeClip(std::string_view clip)
 {
     const auto varied = variationOfClip(clip);
-    return nameOfClip(clip, animationsSection).has_value() ||
+    return nameOfClip(clip, animationsSection).has_value() || nameOfClip(clip, liveSection).has_value() ||
            nameOfClip(clip, transfersSection).has_value() ||
            nameOfClip(clip, projectionsSection).has_value() || (varied && varied->number > 0);
 }
@@ -253,6 +264,21 @@ std::optional<std::string> shownClip(const Project& project, const SequenceEntry
     return std::nullopt;
 }
 
+std::vector<std::string> takesOfSpaces(const Project& project, const std::vector<std::string>& spaces)
+{
+    std::vector<std::string> names;
+    for (const std::string& space : spaces) {
+        const MotionSpaceEntry* entry = findMotionSpace(project, space);
+        if (entry == nullptr)
+            continue;
+        for (const SpaceTakeEntry& take : entry->takes) {
+            if (std::ranges::find(names, take.sequence) == names.end())
+                names.push_back(take.sequence);
+        }
+    }
+    return names;
+}
+
 std::vector<std::string> sequencesOfClip(const Project& project, const std::string& clip)
 {
     if (const auto name = nameOfClip(clip, animationsSection)) {
@@ -260,6 +286,8 @@ std::vector<std::string> sequencesOfClip(const Project& project, const std::stri
         return animation ? sequencesOfGraph(project, characterNameOf(project, *animation))
                          : std::vector<std::string>();
     }
+    if (const LiveEntry* live = liveOfClip(project, clip))
+        return takesOfSpaces(project, live->spaces);
     if (const TransferEntry* transfer = transferOfClip(project, clip))
         return {transfer->target.sequence};
     if (projectionOfClip(project, clip) != nullptr) {
@@ -289,6 +317,8 @@ std::string characterOfClip(const Project& project, const std::string& clip)
     }
     if (projectionOfClip(project, clip) != nullptr)
         return characterOfClip(project, clipBelow(project, clip));
+    if (const LiveEntry* live = liveOfClip(project, clip))
+        return characterNameOf(project, *live);
     const TransferEntry* transfer = transferOfClip(project, clip);
     const auto name = transfer ? transfer->target.sequence : nameOfClip(clip, "sequences");
     const SequenceEntry* sequence = name ? findSequence(project, *name) : nullptr;

@@ -23,6 +23,10 @@ struct VariationNumber
 };
 /// Nothing for clips of other sections, and where the number is none.
 std::optional<VariationNumber> variationOfClip(std::string_view clip);
+/// The performance that a clip "live/NAME" is; null where it is none, or there is no such.
+const LiveEntry* liveOfClip(const Project& project, std::string_view clip);
+/// The takes of motion spaces, each once.
+std::vector<std::string> takesOfSpaces(const Project& project, const std::vector<std::string>& spaces);
 /// The transfer that a clip "transfers/NAME" is; null where it is none, or there is no such.
 const TransferEntry* transferOfClip(const Project& project, std::string_view clip);
 /// The projection that a clip "projections/NAME" is; null where it is none, or there is no such.
@@ -53,8 +57,8 @@ std::vector<const VariationEntry*> learnedVariations(const Project& project, con
 /// Names of the parts that an entry learns, the root first; “body” where it is not cut.
 std::vector<std::string> partNamesOf(const Project& project, const VariationEntry& entry);
 
-/// Whether a clip is one that steps make: "animations/NAME", "transfers/NAME", "projections/NAME" or
-/// "variations/NAME/3".
+/// Whether a clip is one that steps make: "animations/NAME", "live/NAME", "transfers/NAME",
+/// "projections/NAME" or "variations/NAME/3".
 bool isMadeClip(std::string_view clip);
 /// The step that makes it; of a projection that of its textures. \pre isMadeClip.
 std::string clipStepOf(const std::string& clip);

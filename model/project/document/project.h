@@ -6,6 +6,7 @@
 #include "model/project/document/animationentry.h"
 #include "model/project/document/appearanceentry.h"
 #include "model/project/document/evaluationentry.h"
+#include "model/project/document/liveentry.h"
 #include "model/project/document/motionspaceentry.h"
 #include "model/project/document/problem.h"
 #include "model/project/document/projectionentry.h"
@@ -126,8 +127,8 @@ TransitionSettings transitionSettings(const GraphEntry& entry, double fps);
 struct ExportEntry
 {
     std::string name;
-    std::string what; ///< "sequences/NAME", "animations/NAME", "transfers/NAME", "projections/NAME",
-                      ///< "variations/NAME/3", or all of "variations/NAME"
+    std::string what; ///< "sequences/NAME", "animations/NAME", "live/NAME", "transfers/NAME",
+                      ///< "projections/NAME", "variations/NAME/3", or all of "variations/NAME"
     std::string path; ///< the ending gives the format, unless `format` does
     std::string format;
     std::optional<FrameRange> range;
@@ -156,6 +157,7 @@ struct Project
     std::vector<AnimationEntry> animations;
     std::vector<VariationEntry> variations;
     std::vector<MotionSpaceEntry> motionSpaces; ///< the section “motion_spaces”
+    std::vector<LiveEntry> lives;               ///< the section “live”
     std::vector<AppearanceEntry> appearances;   ///< the section “appearance”
     std::vector<TransferEntry> transfers;
     std::vector<ProjectionEntry> projections;

@@ -108,6 +108,13 @@ void readValue(const ObjectReader& reader, const std::string& key, HmcSettings& 
 void writeValue(Json& json, const std::string& key, const HmcSettings& chain, const FieldContext&);
 void valueSchema(Json& properties, const std::string& key, Type<HmcSettings>);
 
+// [[tick, space, 1 where latency counts more, parameters…], …]
+void readValue(const ObjectReader& reader, const std::string& key, std::vector<LiveChange>& changes,
+               const FieldContext&);
+void writeValue(Json& json, const std::string& key, const std::vector<LiveChange>& changes,
+                const FieldContext&);
+void valueSchema(Json& properties, const std::string& key, Type<std::vector<LiveChange>>);
+
 // [[triangle of the template, triangle of the target], …]
 void readValue(const ObjectReader& reader, const std::string& key, std::vector<TrianglePair>& pairs,
                const FieldContext&);

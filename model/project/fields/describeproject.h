@@ -6,6 +6,7 @@
 #include "model/project/fields/describeappearance.h"
 #include "model/project/fields/describeexport.h"
 #include "model/project/fields/describegraph.h"
+#include "model/project/fields/describelive.h"
 #include "model/project/fields/describemotionspace.h"
 #include "model/project/fields/describeprojection.h"
 #include "model/project/fields/describetransfer.h"
@@ -87,6 +88,7 @@ void describe(Fields& f, Type<Project>)
            {.help =
                 "Takes of one kind of movement that parameters steer; those of one character are compared, "
                 "so that one goes over to another."});
+    f.list("live", &E::lives, {.help = "Performances that were steered live."});
     f.list("appearance", &E::appearances,
            {.help = "Models of the textures of characters; clips of a character take the first of its own."});
     f.list("transfers", &E::transfers, {.help = "Clips that other meshes perform."});

@@ -89,6 +89,7 @@ template std::size_t memoryOf(const GraphEntry&);
 template std::size_t memoryOf(const AnimationEntry&);
 template std::size_t memoryOf(const VariationEntry&);
 template std::size_t memoryOf(const MotionSpaceEntry&);
+template std::size_t memoryOf(const LiveEntry&);
 template std::size_t memoryOf(const AppearanceEntry&);
 template std::size_t memoryOf(const TransferEntry&);
 template std::size_t memoryOf(const ProjectionEntry&);

@@ -100,6 +100,7 @@ enum class NamedKind
     Animation,
     Variation,
     MotionSpace,
+    Live,
     Transfer,
     Projection,
 };

@@ -29,6 +29,8 @@ constexpr std::optional<NamedKind> kindOf()
         return NamedKind::Variation;
     else if constexpr (std::is_same_v<Entry, MotionSpaceEntry>)
         return NamedKind::MotionSpace;
+    else if constexpr (std::is_same_v<Entry, LiveEntry>)
+        return NamedKind::Live;
     else if constexpr (std::is_same_v<Entry, TransferEntry>)
         return NamedKind::Transfer;
     else if constexpr (std::is_same_v<Entry, ProjectionEntry>)

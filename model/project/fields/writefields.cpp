@@ -238,14 +238,19 @@ Json writeFields(const VariationEntry& variation)
     return toJson(variation, {CoordinateSystem()});
 }
 
+Json writeFields(const AppearanceEntry& appearance)
+{
+    return toJson(appearance, {CoordinateSystem()});
+}
+
 Json writeFields(const MotionSpaceEntry& space)
 {
     return toJson(space, {CoordinateSystem()});
 }
 
-Json writeFields(const AppearanceEntry& appearance)
+Json writeFields(const LiveEntry& live)
 {
-    return toJson(appearance, {CoordinateSystem()});
+    return toJson(live, {CoordinateSystem()});
 }
 
 Json writeFields(const TransferEntry& transfer)

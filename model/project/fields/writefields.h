@@ -14,8 +14,9 @@ namespace quadrille {
 Json writeFields(const Project& project);
 Json writeFields(const BodyPartsEntry& parts);
 Json writeFields(const VariationEntry& variation);
-Json writeFields(const MotionSpaceEntry& space);
 Json writeFields(const AppearanceEntry& appearance);
+Json writeFields(const MotionSpaceEntry& space);
+Json writeFields(const LiveEntry& live);
 Json writeFields(const TransferEntry& transfer);
 Json writeFields(const ProjectionEntry& projection);
 Json writeFields(const AnimationEntry& animation, UpAxis up);

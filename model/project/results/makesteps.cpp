@@ -60,8 +60,8 @@ std::vector<BuildStep> makeSteps(const StepMaking& making)
 {
     std::vector<BuildStep> steps;
     for (auto make : {makeSequenceSteps, makeGraphSteps, makeAnimationSteps, makeVariationSteps,
-                      makeMotionSpaceSteps, makeAppearanceSteps, makeTransferSteps, makeProjectionSteps,
-                      makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
+                      makeMotionSpaceSteps, makeLiveSteps, makeAppearanceSteps, makeTransferSteps,
+                      makeProjectionSteps, makeEvaluationSteps, makeSheetSteps, makeExportSteps}) {
         for (BuildStep& step : make(making))
             steps.push_back(std::move(step));
     }

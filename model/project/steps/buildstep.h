@@ -112,6 +112,8 @@ std::vector<BuildStep> makeAnimationSteps(const StepMaking& making);
 std::vector<BuildStep> makeVariationSteps(const StepMaking& making);
 /// Motion spaces of the section “motion_spaces”, how good they are, and what leads from one to another.
 std::vector<BuildStep> makeMotionSpaceSteps(const StepMaking& making);
+/// Clips of the section “live”.
+std::vector<BuildStep> makeLiveSteps(const StepMaking& making);
 /// Models of the section “appearance”, and the textures that they complete.
 std::vector<BuildStep> makeAppearanceSteps(const StepMaking& making);
 /// Clips of the section “transfers”.

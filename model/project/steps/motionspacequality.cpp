@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/live/livestate.h"
 #include "model/parametric/precomputedtransitions.h"
 #include "model/parametric/references.h"
 #include "model/project/steps/charactersteps.h"
@@ -133,23 +134,30 @@ Result transitionReport(const MotionSpace& source, const MotionSpace& target,
 {
     TableBuilder report("report",
                         "Transitions from one motion space to another one between random states: found "
-                        "while they play, and the best of 1, 5 and 10 that are computed before. What they "
+                        "while they play – and so where latency counts eight times as much –, and the "
+                        "best of 1, 5 and 10 that are computed before. What they "
                         "cost, how unlike the poses are (0 to 1000), how long it takes until the target is "
                         "where it is wanted, and for how many states there is none.");
     report.text("kind").real("cost").real("dissimilarity").real("mean-latency", "s");
     report.real("median-latency", "s").real("latency-95", "s").real("worst-latency", "s").whole("missed");
     const std::vector<TransitionRequest> requests =
         randomRequests(source, target, comparedRequests, requestSeed);
-    constexpr double share = 0.25;
-    ChosenTransitions online;
-    TransitionSearch search(table, source, target);
-    const Progress searching = progress.part(0, share);
-    for (std::size_t r = 0; r < requests.size(); ++r) {
-        searching.report(static_cast<std::int64_t>(r), std::ssize(requests));
-        online.add(search.search(requests[r].source, requests[r].goal).front(), source.fps);
+    constexpr double share = 0.2;
+    double begin = 0;
+    TransitionSearchSettings responsive;
+    responsive.latencyWeight = LiveSettings().responsiveWeight;
+    for (const auto& [kind, settings] :
+         {std::pair("online", TransitionSearchSettings()), std::pair("responsive", responsive)}) {
+        ChosenTransitions online;
+        TransitionSearch search(table, source, target, settings);
+        const Progress searching = progress.part(begin, begin + share);
+        for (std::size_t r = 0; r < requests.size(); ++r) {
+            searching.report(static_cast<std::int64_t>(r), std::ssize(requests));
+            online.add(search.search(requests[r].source, requests[r].goal).front(), source.fps);
+        }
+        online.row(report, kind);
+        begin += share;
     }
-    online.row(report, "online");
-    double begin = share;
     for (const std::size_t count : {1U, 5U, 10U}) {
         const PrecomputedTransitions fixed(*table, source, target, {.count = count});
         const Progress choosing = progress.part(begin, begin + share);

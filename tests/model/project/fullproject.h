@@ -4,6 +4,7 @@
 
 #include "model/project/document/findentry.h"
 #include "model/project/document/framenote.h"
+#include "tests/model/project/fulllive.h"
 #include "tests/model/project/fullmotionspace.h"
 #include "tests/model/project/fullprojection.h"
 #include "tests/model/project/fulltransfer.h"
@@ -158,6 +159,7 @@ inline Project fullProject()
     project.animations = {fullAnimation()};
     project.variations = {fullVariation()};
     project.motionSpaces = {fullMotionSpace()};
+    project.lives = {fullLive()};
     project.appearances = {fullAppearance()};
     project.transfers = {fullTransfer()};
     project.projections = {fullProjection()};

@@ -53,6 +53,7 @@ const std::map<std::string, Place> places{
     {"space_take", {"/motion_spaces/0/takes/0", "motion_spaces.takes"}},
     {"space_parameter", {"/motion_spaces/0/parameters/0", "motion_spaces.parameters"}},
     {"appearance", {"/appearance/0", "appearance"}},
+    {"live", {"/live/0", "live"}},
     {"transfer", {"/transfers/0", "transfers"}},
     {"projection", {"/projections/0", "projections"}},
     {"mask_stroke", {"/appearance/0/completions/0/strokes/0", "appearance.completions.strokes"}},
@@ -108,7 +109,7 @@ Project effective(const Json& document)
 {
     ProjectProblems problems;
     Project project = projectFromJson(document, problems);
-    EXPECT_TRUE(problems.empty()) << problems.size();
+    EXPECT_TRUE(problems.empty()) << problems.front().toString() << problems.back().toString();
     for (GraphEntry& graph : project.graphs)
         graph.durations = graph.durations.value_or(usualDurations);
     for (EvaluationEntry& evaluation : project.evaluations)

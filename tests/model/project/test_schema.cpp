@@ -111,6 +111,7 @@ const std::pair<const char*, const char*> fullObjects[] = {
     {"space_parameter", "/motion_spaces/0/parameters/0"},
     {"appearance", "/appearance/0"},
     {"completion", "/appearance/0/completions/0"},
+    {"live", "/live/0"},
     {"transfer", "/transfers/0"},
     {"projection", "/projections/0"},
     {"mask_stroke", "/appearance/0/completions/0/strokes/0"},

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/live/livebar.h"
+
+#include "editor/context/editorcontext.h"
+#include "editor/fields/actionbutton.h"
+#include "editor/fields/namebox.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/live/livesession.h"
+#include "widgets/theme/theme.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int liveBarGap = 8;          // pixels
+constexpr int liveProgressWidth = 110; // pixels
+constexpr int liveFullProgress = 1000;
+
+} // namespace
+
+LiveBar::LiveBar(EditorContext& context, LiveSession& session, QWidget* parent)
+    : QWidget(parent)
+    , m_context(context)
+    , m_session(session)
+    , m_names(new QComboBox)
+    , m_progress(new QProgressBar)
+    , m_state(new QLabel)
+{
+    setObjectName(QStringLiteral("liveBar"));
+    m_names->setObjectName(QStringLiteral("liveNames"));
+    m_progress->setObjectName(QStringLiteral("liveProgress"));
+    m_progress->setRange(0, liveFullProgress);
+    m_progress->setFixedWidth(liveProgressWidth);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_state->setObjectName(QStringLiteral("liveState"));
+    m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
+    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    fitToNames(*m_names);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(liveBarGap, liveBarGap / 2, liveBarGap, liveBarGap / 2);
+    row->setSpacing(liveBarGap / 2);
+    const auto add = [&](std::initializer_list<const char*> ids) {
+        for (const char* id : ids)
+            row->addWidget(makeActionButton(context.actions.action(QLatin1String(id))));
+        row->addSpacing(liveBarGap);
+    };
+    add({"live.run", "live.record", "live.restart"});
+    row->addWidget(m_names);
+    add({"live.addSequence", "live.export"});
+    row->addWidget(m_progress);
+    row->addWidget(m_state, 1);
+    connect(m_names, &QComboBox::activated, this, [this] {
+        m_context.selection.select({Section::Lives, m_names->currentText()});
+    });
+    connect(&context.document, &ProjectDocument::changed, this, &LiveBar::refresh);
+    connect(&context.selection, &Selection::changed, this, &LiveBar::refresh);
+    connect(&session, &LiveSession::changed, this, &LiveBar::showState);
+    connect(&session, &LiveSession::ticked, this, &LiveBar::showState);
+    retranslates(this, [this] { retranslate(); });
+}
+
+void LiveBar::showProgress(double share)
+{
+    m_progress->setVisible(share >= 0);
+    m_progress->setValue(static_cast<int>(std::lround(share * liveFullProgress)));
+    showState();
+}
+
+void LiveBar::retranslate()
+{
+    m_names->setAccessibleName(tr("Recorded performances"));
+    m_names->setToolTip(tr("Recorded performances; choosing one plays it again"));
+    m_names->setPlaceholderText(tr("No recording"));
+    refresh();
+}
+
+void LiveBar::refresh()
+{
+    const QSignalBlocker blocker(m_names);
+    m_names->clear();
+    for (const LiveEntry& each : m_context.document.project().lives)
+        m_names->addItem(QString::fromStdString(each.name));
+    const EntryRef& current = m_context.selection.current();
+    m_names->setCurrentIndex(current.section == Section::Lives ? m_names->findText(current.name) : -1);
+    m_names->setEnabled(m_names->count() > 0);
+    showState();
+}
+
+void LiveBar::showState()
+{
+    QString text;
+    if (m_progress->isVisible()) {
+        text = tr("Preparing motion spaces…");
+    } else if (m_session.isReady()) {
+        const auto seconds = [this](std::int64_t ticks) {
+            return QLocale().toString(static_cast<double>(ticks) * m_session.tickSeconds(), 'f', 1);
+        };
+        const QString now = seconds(m_session.state().tick);
+        if (m_session.isRecording())
+            text = tr("Recording: %1 s").arg(now);
+        else if (m_session.isReplaying())
+            text = tr("Replay: %1 of %2 s").arg(now, seconds(m_session.tickCount()));
+        else if (m_session.isRunning())
+            text = tr("Live: %1 s").arg(now);
+        else
+            text = tr("Paused at %1 s").arg(now);
+    }
+    m_state->setText(text);
+    m_state->setToolTip(text);
+}
+
+} // namespace quadrille

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+
+namespace quadrille {
+
+class LiveSession;
+struct EditorContext;
+
+/// Plays and records, and tells which recorded performance is looked at.
+class LiveBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// \pre The actions of the workspace are registered.
+    LiveBar(EditorContext& context, LiveSession& session, QWidget* parent = nullptr);
+
+    /// How far the motion spaces are. \param share  0 … 1; nothing is under way where it is negative.
+    void showProgress(double share);
+
+private:
+    void retranslate();
+    void refresh();
+    void showState();
+
+    EditorContext& m_context;
+    LiveSession& m_session;
+    QComboBox* m_names;
+    QProgressBar* m_progress;
+    QLabel* m_state;
+};
+
+} // namespace quadrille

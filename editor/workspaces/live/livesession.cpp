@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/live/livesession.h"
+
+#include "model/project/steps/livework.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int mostTicksAtOnce = 4; ///< where the computer is too slow, time goes slower
+constexpr double measuredSeconds = 0.5;
+constexpr std::int64_t mostTicks = 1'000'000;
+
+std::vector<SteeredParameter> steeredBy(const MotionSpace& space)
+{
+    std::vector<SteeredParameter> steered;
+    for (std::size_t p = 0; p < space.parameters.size(); ++p)
+        steered.push_back({space.parameters[p].measure, space.map.least.at(p), space.map.greatest.at(p)});
+    return steered;
+}
+
+} // namespace
+
+LiveSession::LiveSession(QObject* parent) : QObject(parent)
+{
+    constexpr int milliseconds = 4; // more often than pictures are drawn
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(milliseconds);
+    connect(&m_timer, &QTimer::timeout, this, &LiveSession::catchUp);
+}
+
+LiveSession::~LiveSession() = default;
+
+void LiveSession::setGraph(OpenedLiveGraphPointer graph)
+{
+    if (graph == m_graph)
+        return;
+    m_timer.stop();
+    m_graph = std::move(graph);
+    m_player.reset();
+    m_recordedFrom.reset();
+    m_inputs.clear();
+    m_states.clear();
+    m_decisions.clear();
+    if (m_graph != nullptr) {
+        LiveStart start;
+        const auto& spaces = m_graph->graph->spaces;
+        const auto cyclic = std::ranges::find_if(spaces, [](const auto& space) { return space->isCyclic; });
+        start.space = cyclic == spaces.end() ? 0 : static_cast<std::size_t>(cyclic - spaces.begin());
+        m_steering.setParameters(steeredBy(*spaces[start.space]));
+        start.parameters = m_steering.values();
+        m_wanted = start.space;
+        begin(start, {});
+    }
+    emit decided();
+    emit changed();
+    emit ticked();
+}
+
+void LiveSession::begin(const LiveStart& start, const LiveSettings& settings)
+{
+    m_start = start;
+    m_player = std::make_unique<LivePlayer>(m_graph->graph, settings, start);
+    m_pose.resize(m_graph->graph->vertexCount());
+    m_inputs.clear();
+    m_states.assign(1, m_player->state());
+    m_decisions.clear();
+}
+
+void LiveSession::run()
+{
+    if (!isReady() || isRunning())
+        return;
+    m_due = 0;
+    m_clock.start();
+    m_timer.start();
+    emit changed();
+}
+
+void LiveSession::takeOver()
+{
+    const auto shown = static_cast<std::size_t>(state().tick);
+    if (shown >= m_inputs.size())
+        return;
+    m_inputs.resize(shown);
+    m_states.resize(shown + 1);
+    std::erase_if(m_decisions,
+                  [shown](const LiveDecision& each) { return each.tick > static_cast<std::int64_t>(shown); });
+    if (m_recordedFrom && *m_recordedFrom > state().tick)
+        m_recordedFrom = state().tick;
+    emit decided();
+}
+
+void LiveSession::pause()
+{
+    if (!isRunning())
+        return;
+    m_timer.stop();
+    emit changed();
+}
+
+void LiveSession::restart()
+{
+    if (!isReady())
+        return;
+    m_recordedFrom.reset();
+    const LiveSettings settings = m_player->settings();
+    begin(m_start, settings);
+    m_wanted = m_start.space;
+    followSpace();
+    emit decided();
+    emit changed();
+    emit ticked();
+}
+
+void LiveSession::followSpace()
+{
+    m_steering.setParameters(steeredBy(*m_graph->graph->spaces[m_wanted]));
+}
+
+void LiveSession::want(int space)
+{
+    if (!isReady() || space < 0 || space >= static_cast<int>(m_graph->spaces.size()))
+        return;
+    takeOver();
+    m_wanted = static_cast<std::size_t>(space);
+    followSpace();
+    emit changed();
+}
+
+void LiveSession::wantNext(int by)
+{
+    if (!isReady())
+        return;
+    const auto& spaces = m_graph->graph->spaces;
+    const auto count = static_cast<int>(spaces.size());
+    for (int i = 1; i <= count; ++i) {
+        const int next = ((static_cast<int>(m_wanted) + by * i) % count + count) % count;
+        if (spaces[static_cast<std::size_t>(next)]->isCyclic) {
+            want(next);
+            return;
+        }
+    }
+}
+
+void LiveSession::jump()
+{
+    if (!isReady())
+        return;
+    const auto& spaces = m_graph->graph->spaces;
+    const auto once = std::ranges::find_if(spaces, [](const auto& space) { return !space->isCyclic; });
+    if (once != spaces.end())
+        want(static_cast<int>(once - spaces.begin()));
+}
+
+void LiveSession::setResponsive(bool responsive)
+{
+    m_isResponsive = responsive;
+    emit changed();
+}
+
+void LiveSession::catchUp()
+{
+    m_due += static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+    m_clock.start();
+    const double length = tickSeconds();
+    int ticks = 0;
+    for (; m_due >= length && ticks < mostTicksAtOnce; ++ticks) {
+        m_due -= length;
+        step();
+    }
+    m_due = std::min(m_due, length);
+    if (tickCount() >= mostTicks)
+        pause();
+}
+
+void LiveSession::step()
+{
+    if (!isReady())
+        return;
+    const SteeringState steered = m_steer ? m_steer() : SteeringState();
+    if (isReplaying() && !steered.isIdle())
+        takeOver();
+    if (isReplaying()) {
+        m_player->restore(stateAt(state().tick + 1));
+        wantAsThen();
+        if (!isReplaying())
+            pause();
+    } else {
+        m_steering.advance(steered, tickSeconds());
+        tick({.space = m_wanted, .parameters = m_steering.values(), .isResponsive = m_isResponsive});
+    }
+    emit ticked();
+}
+
+void LiveSession::tick(const LiveInput& input)
+{
+    if (m_inputs.empty() && (input.space != m_start.space || input.parameters != m_start.parameters)) {
+        // It begins as it is wanted first: an entry of the project need not say that twice.
+        m_start.space = input.space;
+        m_start.parameters = input.parameters;
+        begin(LiveStart(m_start), LiveSettings(m_player->settings()));
+    }
+    QElapsedTimer timer;
+    timer.start();
+    const std::int64_t before = state().decisions;
+    m_player->tick(input);
+    m_inputs.push_back(input);
+    m_states.push_back(state());
+    m_tickMilliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (state().decisions != before) {
+        m_decisions.push_back(m_player->decision());
+        emit decided();
+    }
+    // What has no cycle is played once.
+    const auto& spaces = m_graph->graph->spaces;
+    if (!spaces[m_wanted]->isCyclic && state().track.space == m_wanted && state().home != m_wanted) {
+        m_wanted = state().home;
+        followSpace();
+        emit changed();
+    }
+}
+
+std::span<const float> LiveSession::pose()
+{
+    QElapsedTimer timer;
+    timer.start();
+    m_player->pose(m_pose);
+    const auto units = static_cast<float>(1 / m_graph->metresPerUnit);
+    if (units != 1) {
+        for (Vec3f& position : m_pose)
+            position *= units;
+    }
+    m_tickMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    return {m_pose.front().data(), 3 * m_pose.size()};
+}
+
+void LiveSession::goTo(std::int64_t tick)
+{
+    if (!isReady())
+        return;
+    pause();
+    m_player->restore(stateAt(std::clamp<std::int64_t>(tick, 0, tickCount())));
+    wantAsThen();
+    emit changed();
+    emit ticked();
+}
+
+void LiveSession::wantAsThen()
+{
+    if (state().tick == 0)
+        return;
+    const LiveInput& input = m_inputs[static_cast<std::size_t>(state().tick - 1)];
+    const bool isOther = m_wanted != input.space || m_isResponsive != input.isResponsive;
+    m_wanted = input.space;
+    m_isResponsive = input.isResponsive;
+    followSpace();
+    m_steering.setValues(input.parameters);
+    if (isOther)
+        emit changed();
+}
+
+std::pair<double, double> LiveSession::measuredMotion() const
+{
+    const auto ticks = std::min(static_cast<std::int64_t>(std::lround(measuredSeconds / tickSeconds())),
+                                m_player->state().tick);
+    if (ticks == 0)
+        return {0, 0};
+    const LiveState& now = m_player->state();
+    double way = 0;
+    double turn = 0;
+    for (std::int64_t t = now.tick - ticks; t < now.tick; ++t) {
+        const LiveState& a = stateAt(t);
+        const LiveState& b = stateAt(t + 1);
+        if (a.track.space != b.track.space)
+            continue; // the body is laid anew
+        way += (b.track.root.shift - a.track.root.shift).norm();
+        turn += b.track.root.turn - a.track.root.turn;
+    }
+    const double seconds = static_cast<double>(ticks) * tickSeconds();
+    return {way / seconds, turn * 180 / std::numbers::pi / seconds};
+}
+
+void LiveSession::startRecording()
+{
+    if (!isReady())
+        return;
+    takeOver();
+    run();
+    m_recordedFrom = state().tick;
+    emit changed();
+}
+
+LiveEntry LiveSession::entry(std::int64_t from) const
+{
+    LiveEntry entry;
+    entry.spaces = m_graph->spaces;
+    entry.inputs = changesOf(m_inputs);
+    entry.ticks = tickCount();
+    entry.from = from;
+    const LiveSettings& settings = m_player->settings();
+    entry.ticksPerFrame = settings.ticksPerFrame;
+    return entry;
+}
+
+std::optional<LiveEntry> LiveSession::stopRecording()
+{
+    if (!m_recordedFrom)
+        return std::nullopt;
+    const std::int64_t from = *m_recordedFrom;
+    m_recordedFrom.reset();
+    pause();
+    emit changed();
+    if (tickCount() <= from)
+        return std::nullopt;
+    return entry(from);
+}
+
+bool LiveSession::load(const LiveEntry& entry, const CoordinateSystem& axes)
+{
+    if (m_graph == nullptr || entry.inputs.empty())
+        return false;
+    std::vector<std::size_t> places;
+    for (const std::string& space : entry.spaces) {
+        const auto found = std::ranges::find(m_graph->spaces, space);
+        if (found == m_graph->spaces.end())
+            return false;
+        places.push_back(static_cast<std::size_t>(found - m_graph->spaces.begin()));
+    }
+    m_timer.stop();
+    m_recordedFrom.reset();
+    LiveStart start = startOf(entry, axes);
+    start.space = places.at(start.space);
+    begin(start, settingsOf(entry));
+    for (LiveInput input : inputsOf(entry)) {
+        input.space = places.at(input.space);
+        m_wanted = input.space;
+        tick(input);
+    }
+    goTo(entry.from);
+    emit decided();
+    return true;
+}
+
+} // namespace quadrille

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/live/liveworkspace.h"
+
+#include "editor/commands/liveedits.h"
+#include "editor/commands/projectedits.h"
+#include "editor/context/editorcontext.h"
+#include "editor/errors/errortext.h"
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/live/gamepad.h"
+#include "editor/workspaces/live/livebar.h"
+#include "editor/workspaces/live/livekeys.h"
+#include "editor/workspaces/live/livesession.h"
+#include "editor/workspaces/live/rewindpanel.h"
+#include "editor/workspaces/live/steeringpanel.h"
+#include "model/project/document/findentry.h"
+#include "widgets/controls/messagestrip.h"
+#include "widgets/theme/theme.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+
+namespace quadrille {
+
+namespace {
+
+/// The ruler need not follow each tick.
+constexpr int ticksBetweenRulers = 8;
+
+} // namespace
+
+LiveWorkspace::LiveWorkspace(EditorContext& context, QWidget* parent)
+    : Workspace(parent)
+    , m_context(context)
+    , m_view(new SceneView(context, source(), QStringLiteral("live")))
+    , m_session(new LiveSession(this))
+    , m_keys(new LiveKeys(*this))
+    , m_gamepad(new Gamepad(this))
+{
+    setObjectName(QStringLiteral("liveWorkspace"));
+    makeActions();
+    m_bar = new LiveBar(context, *m_session);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(m_view, 1);
+    makePanels();
+    connectSession();
+    connectView();
+    connect(&context.document, &ProjectDocument::changed, this, &LiveWorkspace::follow);
+    connect(&context.selection, &Selection::changed, this, &LiveWorkspace::followSelection);
+    connect(&context.liveGraphs, &LiveGraphResults::changed, this, &LiveWorkspace::followGraph);
+    retranslates(this, [this] { showState(); });
+}
+
+QString LiveWorkspace::figureName()
+{
+    return tr("Performer");
+}
+
+ClipScene::Source LiveWorkspace::source()
+{
+    return {
+        .clip = [this](const QString& /*name*/, bool) { return m_session->isReady() ? &m_still : nullptr; },
+        .upAxis = [this] { return m_context.media.upAxis(); },
+        .drawsWay = false,
+        .section = Section::Lives};
+}
+
+void LiveWorkspace::makeActions()
+{
+    const auto group = [] { return tr("Live"); };
+    ActionRegistry& actions = m_context.actions;
+    actions.add({"live.run",
+                 group,
+                 [] { return tr("&Play live, or pause"); },
+                 [] { return tr("Plays the motion spaces as they are steered, or pauses"); },
+                 "play",
+                 {}},
+                [this] { toggle(); });
+    QAction* record = actions.addToggle(
+        {"live.record",
+         group,
+         [] { return tr("&Record"); },
+         [] {
+             return tr("Records what is steered, until it is pressed again: a performance of the project");
+         },
+         "disc",
+         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R)}},
+        false, [this](bool /*on*/) { toggleRecording(); });
+    connect(m_session, &LiveSession::changed, record,
+            [this, record] { record->setChecked(m_session->isRecording()); });
+    actions.add({"live.restart",
+                 group,
+                 [] { return tr("&Begin anew"); },
+                 [] { return tr("Forgets what was played, and begins where it began"); },
+                 "first",
+                 {}},
+                [this] { m_session->restart(); });
+    actions.add({"live.addSequence",
+                 group,
+                 [] { return tr("&Add as a take"); },
+                 [] { return tr("Adds the recorded clip to the takes: for graphs, animations, variations"); },
+                 "sequence",
+                 {}},
+                [this] { addSequence(); });
+    actions.add({"live.export",
+                 group,
+                 [] { return tr("E&xport the clip…"); },
+                 [] { return tr("Writes the recorded clip into files"); },
+                 "export",
+                 {}},
+                [this] { emit exportRequested(QStringLiteral("live/") + m_loaded); });
+}
+
+void LiveWorkspace::makePanels()
+{
+    m_steering = new SteeringPanel(*m_session, *m_gamepad);
+    m_panels.push_back({"steeringDock", [] { return tr("Steering"); }, m_steering});
+    Panel rewind{"rewindDock", [] { return tr("Rewind"); }, new RewindPanel(*m_session)};
+    rewind.isLower = true;
+    m_panels.push_back(std::move(rewind));
+}
+
+void LiveWorkspace::connectSession()
+{
+    m_session->setSteer([this] {
+        m_gamepad->poll();
+        const SteeringState keys = m_keys->state();
+        return keys.isIdle() ? m_gamepad->state() : keys;
+    });
+    connect(m_session, &LiveSession::changed, this, &LiveWorkspace::followRunning);
+    connect(m_session, &LiveSession::ticked, this, [this] {
+        showPose();
+        showTimeline();
+    });
+    connect(m_session, &LiveSession::decided, this, &LiveWorkspace::showTimeline);
+    connect(m_keys, &LiveKeys::spacePressed, m_session, &LiveSession::want);
+    connect(m_keys, &LiveKeys::jumpPressed, m_session, &LiveSession::jump);
+    connect(m_keys, &LiveKeys::responsivePressed, this,
+            [this] { m_session->setResponsive(!m_session->isResponsive()); });
+    connect(m_gamepad, &Gamepad::jumpPressed, m_session, &LiveSession::jump);
+    connect(m_gamepad, &Gamepad::spacePressed, m_session, &LiveSession::wantNext);
+    connect(m_gamepad, &Gamepad::recordPressed, this, &LiveWorkspace::toggleRecording);
+    connect(m_gamepad, &Gamepad::connectedChanged, this, [this] {
+        if (!m_gamepad->isConnected() && m_session->isRunning()) {
+            m_session->pause();
+            m_view->message().show(widgets::MessageStrip::Kind::Warning, tr("The gamepad was pulled out."),
+                                   tr("Plug it in again, or steer by keys; Space goes on."));
+        }
+    });
+}
+
+void LiveWorkspace::connectView()
+{
+    m_view->setUsualUnit(widgets::Timeline::Unit::Seconds);
+    m_view->setFollowing(true);
+    // The session plays, not the player of clips.
+    connect(&player(), &Player::playingChanged, this, [this](bool isPlaying) {
+        if (!isPlaying)
+            return;
+        player().pause();
+        toggle();
+    });
+    connect(&m_view->timeline(), &widgets::Timeline::frameScrubbed, m_session, &LiveSession::goTo);
+    connect(m_view, &SceneView::sceneChanged, this, &LiveWorkspace::showTimeline);
+    connect(&scene(), &ClipScene::frameShown, this, &LiveWorkspace::showPose);
+    connect(&viewport(), &widgets::Viewport::rendered, m_steering, &SteeringPanel::setPictureTime);
+    connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
+        if (m_help.isEmpty())
+            m_context.liveGraphs.retry(character());
+        else
+            m_context.actions.action(m_help)->trigger();
+    });
+}
+
+QString LiveWorkspace::character() const
+{
+    const Project& project = m_context.document.project();
+    if (project.motionSpaces.empty())
+        return {};
+    if (const SequenceEntry* shown =
+            findSequence(project, m_context.selection.shownSequence().toStdString())) {
+        const CharacterEntry* own = characterOf(project, *shown);
+        if (own != nullptr && !playableSpaces(project, own->name).empty())
+            return QString::fromStdString(own->name);
+    }
+    // No name is one, too.
+    return QStringLiteral("") +
+           QString::fromStdString(characterNameOf(project, project.motionSpaces.front()));
+}
+
+void LiveWorkspace::setActive(bool active)
+{
+    m_isActive = active;
+    if (!active)
+        m_session->pause();
+    follow();
+    followRunning();
+}
+
+/// Spaces are computed only while somebody looks.
+void LiveWorkspace::follow()
+{
+    if (!m_isActive)
+        return;
+    m_context.liveGraphs.want(character());
+    followGraph();
+    showTimeline();
+}
+
+void LiveWorkspace::followGraph()
+{
+    if (!m_isActive)
+        return;
+    const LiveGraphResults::State* state = m_context.liveGraphs.resultState(character());
+    const OpenedLiveGraphPointer graph = state == nullptr ? nullptr : state->graph;
+    if (graph != m_session->graph()) {
+        m_loaded.clear();
+        m_session->setGraph(graph);
+        if (graph != nullptr)
+            m_still = graph->takes.front().front().cutTo({FrameIndex(0), FrameIndex(0)});
+        m_view->show(QStringList());
+        if (graph != nullptr)
+            m_view->show({figureName()});
+        followSelection();
+    }
+    const bool isComputed = state != nullptr && state->phase == ResultPhase::Computing;
+    m_bar->showProgress(isComputed && state->job ? state->job->fraction() : -1);
+    if (isComputed && state->job)
+        connect(
+            state->job, &Job::changed, m_bar,
+            [this, job = state->job] {
+                if (job)
+                    m_bar->showProgress(job->fraction());
+            },
+            Qt::UniqueConnection);
+    showState();
+}
+
+/// A performance that is selected is played again.
+void LiveWorkspace::followSelection()
+{
+    if (!m_isActive)
+        return;
+    const EntryRef& current = m_context.selection.current();
+    const LiveEntry* entry = current.section == Section::Lives
+                                 ? findLive(m_context.document.project(), current.name.toStdString())
+                                 : nullptr;
+    if (entry != nullptr && current.name != m_loaded && m_session->graph() != nullptr) {
+        m_loaded = current.name;
+        m_session->load(*entry, m_context.document.project().settings.axes);
+    }
+    const bool hasEntry = findLive(m_context.document.project(), m_loaded.toStdString()) != nullptr;
+    for (const char* id : {"live.addSequence", "live.export"})
+        m_context.actions.action(QLatin1String(id))->setEnabled(hasEntry);
+}
+
+void LiveWorkspace::followRunning()
+{
+    m_keys->setEnabled(m_isActive && m_session->isReady());
+    viewport().setMoving(m_session->isRunning());
+    for (const char* id : {"live.run", "live.record", "live.restart"})
+        m_context.actions.action(QLatin1String(id))->setEnabled(m_session->isReady());
+    if (m_session->isRunning())
+        m_view->message().clear();
+    showTimeline();
+}
+
+void LiveWorkspace::toggle()
+{
+    if (m_session->isRunning())
+        m_session->pause();
+    else
+        m_session->run();
+}
+
+void LiveWorkspace::toggleRecording()
+{
+    if (!m_session->isRecording()) {
+        m_session->startRecording();
+        return;
+    }
+    if (std::optional<LiveEntry> entry = m_session->stopRecording()) {
+        entry->name = tr("performance").toStdString();
+        m_context.selection.select({Section::Lives, addLive(m_context.document, std::move(*entry))});
+    }
+}
+
+void LiveWorkspace::addSequence()
+{
+    const Project& project = m_context.document.project();
+    const LiveEntry* live = findLive(project, m_loaded.toStdString());
+    if (live == nullptr)
+        return;
+    SequenceEntry sequence;
+    sequence.name = live->name;
+    sequence.source = "clip:live/" + live->name;
+    sequence.character = project.characters.size() > 1 ? characterNameOf(project, *live) : std::string();
+    std::vector<SequenceEntry> added;
+    added.push_back(std::move(sequence));
+    addSequences(m_context.document, std::move(added));
+}
+
+void LiveWorkspace::showPose()
+{
+    const int figure = scene().figureOf(figureName());
+    if (m_session->isReady() && figure >= 0)
+        viewport().setPositions(figure, m_session->pose());
+}
+
+void LiveWorkspace::showTimeline()
+{
+    widgets::Timeline& timeline = m_view->timeline();
+    if (!m_session->isReady()) {
+        timeline.setFrameCount(0);
+        timeline.setTracks({});
+        m_shownTicks = 0;
+        return;
+    }
+    const auto ticks = static_cast<int>(m_session->tickCount());
+    if (!m_session->isRunning() || ticks < m_shownTicks || ticks >= m_shownTicks + ticksBetweenRulers) {
+        m_shownTicks = ticks;
+        timeline.setFps(1 / m_session->tickSeconds());
+        timeline.setFrameCount(ticks + 1);
+        widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
+        for (int tick = 0; tick <= ticks; ++tick) {
+            const auto space = static_cast<int>(m_session->stateAt(tick).track.space);
+            const QString name =
+                QString::fromStdString(m_session->graph()->spaces[static_cast<std::size_t>(space)]);
+            if (track.spans.empty() || track.spans.back().text != name)
+                track.spans.push_back({.id = static_cast<int>(track.spans.size()),
+                                       .first = tick,
+                                       .last = tick,
+                                       .text = name,
+                                       .color = widgets::Theme::categorical(space)});
+            track.spans.back().last = tick;
+        }
+        timeline.setTracks({std::move(track)});
+    }
+    m_view->setPlayhead(static_cast<int>(m_session->state().tick));
+}
+
+/// Says what is missing or went wrong, and offers what helps.
+void LiveWorkspace::showState()
+{
+    using Kind = widgets::MessageStrip::Kind;
+    const Project& project = m_context.document.project();
+    widgets::MessageStrip& message = m_view->message();
+    const LiveGraphResults::State* state = m_context.liveGraphs.resultState(character());
+    m_help.clear();
+    viewport().setNotice(
+        project.sequences.empty() ? tr("Import takes of somebody first: walks, turns, jumps.") : QString());
+    if (!project.sequences.empty() && project.motionSpaces.empty()) {
+        message.show(Kind::Info,
+                     tr("Here takes of one kind become a movement that you steer: walks by their speed."),
+                     tr("Select some takes and make a motion space of them."));
+    } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
+        const ErrorText text = describe(*state->error);
+        message.show(Kind::Error,
+                     text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
+                     text.remedy);
+        message.setAction(tr("Try again"));
+    } else {
+        message.clear();
+    }
+}
+
+} // namespace quadrille

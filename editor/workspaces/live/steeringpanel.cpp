@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/workspaces/live/steeringpanel.h"
+
+#include "editor/language/retranslate.h"
+#include "editor/workspaces/live/gamepad.h"
+#include "editor/workspaces/live/livesession.h"
+#include "widgets/graph/takegraphview.h"
+#include "widgets/theme/theme.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <cmath>
+#include <map>
+
+namespace quadrille {
+
+namespace {
+
+constexpr int sliderSteps = 1000;
+
+QString unitOf(SpaceMeasure measure)
+{
+    switch (measure) {
+    case SpaceMeasure::Speed:
+        return QStringLiteral("m/s");
+    case SpaceMeasure::Turning:
+        return QStringLiteral("°/s");
+    case SpaceMeasure::ByHand:
+        return {};
+    default:
+        return QStringLiteral("m");
+    }
+}
+
+QString withUnit(double value, SpaceMeasure measure)
+{
+    const int digits = measure == SpaceMeasure::Turning ? 0 : 2;
+    return (QLocale().toString(value, 'f', digits) + QLatin1Char(' ') + unitOf(measure)).trimmed();
+}
+
+} // namespace
+
+SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidget* parent)
+    : QWidget(parent)
+    , m_session(session)
+    , m_gamepad(gamepad)
+    , m_graph(new widgets::TakeGraphView)
+    , m_form(new QFormLayout)
+    , m_responsive(new QCheckBox)
+    , m_keys(new QLabel)
+    , m_readout(new QLabel)
+    , m_gamepadText(new QLabel)
+{
+    setObjectName(QStringLiteral("steeringPanel"));
+    m_graph->setObjectName(QStringLiteral("spaceGraph"));
+    m_responsive->setObjectName(QStringLiteral("liveResponsive"));
+    m_readout->setObjectName(QStringLiteral("liveReadout"));
+    m_readout->setFont(widgets::Theme::tabularFont(m_readout->font()));
+    m_gamepadText->setObjectName(QStringLiteral("liveGamepad"));
+    for (QLabel* label : {m_keys, m_readout, m_gamepadText})
+        label->setWordWrap(true);
+    m_readout->setAlignment(Qt::AlignTop | Qt::AlignLeading);
+    makeRows();
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_graph, 1);
+    column->addLayout(m_form);
+    column->addWidget(m_responsive);
+    column->addWidget(m_readout);
+    column->addWidget(m_gamepadText);
+    column->addWidget(m_keys);
+    connect(m_graph, &widgets::TakeGraphView::chosenByUser, this, [this](const std::vector<int>& nodes) {
+        if (!nodes.empty())
+            m_session.want(nodes.back());
+        showGraph();
+    });
+    connect(m_responsive, &QCheckBox::toggled, &m_session, &LiveSession::setResponsive);
+    connect(&m_session, &LiveSession::changed, this, [this] {
+        showGraph();
+        showParameters();
+        showReadout();
+    });
+    connect(&m_session, &LiveSession::decided, this, &SteeringPanel::showGraph);
+    connect(&m_session, &LiveSession::ticked, this, [this] {
+        showValues();
+        showReadout();
+    });
+    connect(&m_gamepad, &Gamepad::connectedChanged, this, &SteeringPanel::showReadout);
+    connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &SteeringPanel::showGraph);
+    retranslates(this, [this] { retranslate(); });
+}
+
+void SteeringPanel::makeRows()
+{
+    for (std::size_t p = 0; p < SpacePoint().size(); ++p) {
+        Row row{new QLabel, new QSlider(Qt::Horizontal), new QLabel};
+        row.slider->setObjectName(QStringLiteral("liveParameter%1").arg(p + 1));
+        row.slider->setRange(0, sliderSteps);
+        row.value->setFont(widgets::Theme::tabularFont(row.value->font()));
+        row.value->setMinimumWidth(row.value->fontMetrics().horizontalAdvance(QStringLiteral("−888 °/s")));
+        row.value->setAlignment(Qt::AlignTrailing | Qt::AlignVCenter);
+        row.name->setBuddy(row.slider);
+        auto* line = new QHBoxLayout;
+        line->addWidget(row.slider, 1);
+        line->addWidget(row.value);
+        m_form->addRow(row.name, line);
+        connect(row.slider, &QSlider::valueChanged, this, [this, p](int value) {
+            const SteeredParameter& steered = m_session.steering().parameters()[p];
+            m_session.steering().setValue(
+                p, std::lerp(steered.least, steered.greatest, static_cast<double>(value) / sliderSteps));
+            showValues();
+        });
+        m_rows.push_back(row);
+    }
+}
+
+void SteeringPanel::retranslate()
+{
+    m_responsive->setText(tr("&Responsive"));
+    m_responsive->setToolTip(tr("Transitions come at once, where they may be seen more; R. Else they wait "
+                                "for poses that are alike."));
+    m_keys->setText(tr("Steer with W A S D or the arrows, 1 to 9 for spaces, J to jump, Space to pause."));
+    m_graph->setEmptyText(tr("Motion spaces show here."));
+    m_graph->setAccessibleName(tr("Motion spaces"));
+    showGraph();
+    showParameters();
+    showReadout();
+}
+
+void SteeringPanel::showGraph()
+{
+    std::vector<widgets::TakeNode> nodes;
+    std::vector<widgets::TakeLink> links;
+    if (m_session.isReady()) {
+        std::map<std::pair<int, int>, int> made;
+        for (const LiveDecision& each : m_session.decisions())
+            ++made[{static_cast<int>(each.source), static_cast<int>(each.target)}];
+        int number = 0;
+        for (const std::string& space : m_session.graph()->spaces)
+            nodes.push_back({QString::fromStdString(space), widgets::Theme::categorical(number++), {}});
+        for (const auto& [ends, count] : made)
+            links.push_back({ends.first, ends.second, count});
+    }
+    m_graph->setNodes(std::move(nodes));
+    m_graph->setLinks(tr("Transitions that were made"), std::move(links));
+    m_graph->setChosen(m_session.isReady() ? std::vector{m_session.wantedSpace()} : std::vector<int>());
+}
+
+void SteeringPanel::showParameters()
+{
+    const QSignalBlocker blocker(m_responsive);
+    m_responsive->setChecked(m_session.isResponsive());
+    m_responsive->setEnabled(m_session.isReady());
+    const std::size_t count = m_session.isReady() ? m_session.steering().parameters().size() : 0;
+    for (std::size_t p = 0; p < m_rows.size(); ++p) {
+        const bool isShown = p < count;
+        m_form->setRowVisible(static_cast<int>(p), isShown);
+        if (!isShown)
+            continue;
+        const auto wanted = static_cast<std::size_t>(m_session.wantedSpace());
+        m_rows[p].name->setText(
+            QString::fromStdString(m_session.graph()->graph->spaces[wanted]->parameters[p].name));
+    }
+    showValues();
+}
+
+void SteeringPanel::showValues()
+{
+    if (!m_session.isReady())
+        return;
+    const LiveSteering& steering = m_session.steering();
+    for (std::size_t p = 0; p < steering.parameters().size(); ++p) {
+        const SteeredParameter& steered = steering.parameters()[p];
+        const double value = steering.values().at(p);
+        const double share = (value - steered.least) / (steered.greatest - steered.least);
+        const QSignalBlocker blocker(m_rows[p].slider);
+        if (!m_rows[p].slider->isSliderDown())
+            m_rows[p].slider->setValue(static_cast<int>(std::lround(share * sliderSteps)));
+        m_rows[p].value->setText(withUnit(value, steered.measure));
+    }
+}
+
+void SteeringPanel::showReadout()
+{
+    m_gamepadText->setText(m_gamepad.isConnected() ? tr("Gamepad: %1").arg(m_gamepad.name()) : QString());
+    m_gamepadText->setVisible(m_gamepad.isConnected());
+    if (!m_session.isReady()) {
+        m_readout->clear();
+        return;
+    }
+    const LiveState& state = m_session.state();
+    const auto nameOf = [this](std::size_t space) {
+        return QString::fromStdString(m_session.graph()->spaces[space]);
+    };
+    const auto [speed, turning] = m_session.measuredMotion();
+    QStringList lines;
+    lines += state.way == LiveState::Way::Leaving
+                 ? tr("%1, soon %2").arg(nameOf(state.track.space), nameOf(state.target))
+                 : nameOf(state.track.space);
+    lines += tr("Measured: %1, %2")
+                 .arg(withUnit(speed, SpaceMeasure::Speed), withUnit(turning, SpaceMeasure::Turning));
+    if (!m_session.decisions().empty()) {
+        const LiveDecision& last = m_session.decisions().back();
+        const TransitionChoice& choice = last.choices[0];
+        const double seconds = (choice.sourceFrames + choice.targetFrames) / m_session.graph()->graph->fps;
+        lines +=
+            tr("Last transition: %1 s, dissimilarity %2 of 1000")
+                .arg(QLocale().toString(seconds, 'f', 2), QLocale().toString(choice.dissimilarity, 'f', 0));
+    }
+    lines += tr("Tick %1 ms, picture %2 ms")
+                 .arg(QLocale().toString(m_session.tickMilliseconds(), 'f', 2),
+                      QLocale().toString(m_pictureMilliseconds, 'f', 1));
+    m_readout->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace quadrille
