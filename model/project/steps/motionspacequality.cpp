@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace quadrille {
 
@@ -20,6 +21,7 @@ namespace {
 constexpr std::array<int, 4> errorSteps{1, 20, 6, 3};
 constexpr std::size_t comparedRequests = 1000;
 constexpr std::uint64_t requestSeed = 1;
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 
 /// Transitions that were chosen for some states.
 class ChosenTransitions
@@ -36,7 +38,11 @@ public:
     void row(TableBuilder& table, const std::string& kind)
     {
         std::ranges::sort(m_seconds);
-        const auto count = static_cast<double>(std::max<std::size_t>(m_seconds.size(), 1));
+        if (m_seconds.empty()) {
+            table.add({kind, notKnown, notKnown, notKnown, notKnown, notKnown, notKnown, m_missed});
+            return;
+        }
+        const auto count = static_cast<double>(m_seconds.size());
         double sum = 0;
         for (const double seconds : m_seconds)
             sum += seconds;
@@ -47,8 +53,6 @@ public:
 private:
     double quantile(double share) const
     {
-        if (m_seconds.empty())
-            return 0;
         const double last = static_cast<double>(m_seconds.size()) - 1;
         return m_seconds[static_cast<std::size_t>(std::ceil(share * last))];
     }
