@@ -172,6 +172,30 @@ std::vector<VariationEntry> sampleVariations(const SampleCharacter& character)
     return {walking, jumping};
 }
 
+std::vector<MotionSpaceEntry> sampleMotionSpaces(const SampleCharacter& character)
+{
+    const auto spaceOf = [&](std::string name, std::string parameter, SpaceMeasure measure,
+                             std::initializer_list<const char*> takes) {
+        MotionSpaceEntry space;
+        space.name = std::move(name);
+        space.character = character.body.name;
+        for (const char* take : takes)
+            space.takes.emplace_back().sequence = take;
+        space.parameters.push_back({.name = std::move(parameter), .measure = measure});
+        return space;
+    };
+    MotionSpaceEntry jumping =
+        spaceOf("jumping", "height", SpaceMeasure::JumpHeight, {"low jump 1", "high jump 1"});
+    for (SpaceTakeEntry& entry : jumping.takes) {
+        const auto take = std::ranges::find(character.takes, entry.sequence,
+                                            [](const SampleTake& each) { return each.sequence.name; });
+        entry.range = jumpIn(*take);
+    }
+    return {spaceOf("walking", "speed", SpaceMeasure::Speed, {"walk 1", "jog 1"}),
+            spaceOf("turning", "turning", SpaceMeasure::Turning, {"walk 1", "left turn 1", "right turn 1"}),
+            jumping};
+}
+
 SequenceEntry sampleBodyAtRest(const CharacterEntry& character)
 {
     SequenceEntry entry;

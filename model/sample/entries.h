@@ -22,6 +22,8 @@ BodyPartsEntry sampleBodyParts(const SampleBody& body);
 /// Variations of walking and jogging, straight on and in turns, as in CVS Fig. 9, and of four jumps as in
 /// Fig. 8.
 std::vector<VariationEntry> sampleVariations(const SampleCharacter& character);
+/// Walking by its speed and by how it turns, and jumps by their height.
+std::vector<MotionSpaceEntry> sampleMotionSpaces(const SampleCharacter& character);
 /// The mesh of a character as a sequence of one frame.
 SequenceEntry sampleBodyAtRest(const CharacterEntry& character);
 /// A walk that the body at rest performs, by proposed pairs.

@@ -158,6 +158,7 @@ fs::path writeSample(const fs::path& folder, const SampleOptions& options, const
     project.animations = sampleAnimations(project.characters[0].name);
     project.bodyParts = {sampleBodyParts(character.body)};
     project.variations = sampleVariations(character);
+    project.motionSpaces = sampleMotionSpaces(character);
     project.evaluations = sampleEvaluations(project.characters[0].name);
     project.exports = sampleExports();
     const fs::path truth = folder / "groundtruth";

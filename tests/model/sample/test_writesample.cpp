@@ -5,6 +5,7 @@
 #include "model/project/document/project.h"
 #include "model/project/file/projectfile.h"
 #include "model/project/results/opencharacter.h"
+#include "model/project/results/openmotionspace.h"
 #include "model/project/steps/animate.h"
 #include "sampletest.h"
 #include "tests/model/core/temporaryfolder.h"
@@ -71,6 +72,9 @@ TEST_F(WriteSample, everythingThatTheProjectNamesIsThere)
         EXPECT_GE(take.range->count(), 26) << take.sequence;
         EXPECT_LE(take.range->count(), 40) << take.sequence;
     }
+    ASSERT_EQ(project.motionSpaces.size(), 3U);
+    EXPECT_EQ(project.motionSpaces[0].name, "walking");
+    EXPECT_TRUE(project.motionSpaces[2].takes[1].range);
     for (const char* truth : {"skeleton.json", "takes.json", "landmarks.json", "warps_walk_1.npy"})
         EXPECT_GT(fs::file_size(m_folder / "groundtruth" / truth), 100U) << truth;
     EXPECT_TRUE(fs::exists(m_folder / "textures/walk_1/0000.jpg"));
@@ -87,6 +91,22 @@ TEST_F(WriteSample, itsTourStaysWithinTenCentimetresOfItsPath)
     const WalkSolution solution = animationWalk(*tour, character->graph).solution;
     EXPECT_LE(solution.greatestDeviation, 0.1);
     EXPECT_LE(solution.meanDeviation, 0.05); // within its dead zone
+}
+
+TEST_F(WriteSample, itsMotionSpacesCanBeSteeredAndGoOverToEachOther)
+{
+    const fs::path file = writeSample(m_folder, {.textureSize = 128, .takesPerKind = 1});
+    const Project project = loadProject(file);
+    const ProjectResults results({project, file});
+    const std::map<std::string, double> spans{{"walking", 0.8}, {"turning", 80}, {"jumping", 0.4}};
+    for (const MotionSpaceEntry& entry : project.motionSpaces) {
+        const auto space = openMotionSpace(results, entry.name);
+        EXPECT_EQ(space->isCyclic, entry.name != "jumping");
+        const double span = space->map.greatest[0] - space->map.least[0];
+        EXPECT_GT(span, spans.at(entry.name)) << entry.name;
+        EXPECT_LT(space->map.worstResidual[0], 0.02 * span) << entry.name;
+    }
+    EXPECT_GT(openSimilarities(results, "walking", "jumping")->greatest, 0);
 }
 
 TEST_F(WriteSample, givesTheSameBytesTwice)
