@@ -134,7 +134,7 @@ SimilarityTable similaritiesOf(const Result& stored)
 }
 
 Result transitionReport(const MotionSpace& source, const MotionSpace& target,
-                        std::shared_ptr<const SimilarityTable> table, const Progress& progress)
+                        const std::shared_ptr<const SimilarityTable>& table, const Progress& progress)
 {
     TableBuilder report("report",
                         "Transitions from one motion space to another one between random states: found "

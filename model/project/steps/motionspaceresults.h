@@ -29,6 +29,6 @@ SimilarityTable similaritiesOf(const Result& stored);
 /// Transitions that are found while spaces play against those that are computed before, as IA4D Table 2 has
 /// them, for the same random states. \throws Error Cancelled.
 Result transitionReport(const MotionSpace& source, const MotionSpace& target,
-                        std::shared_ptr<const SimilarityTable> table, const Progress& progress = {});
+                        const std::shared_ptr<const SimilarityTable>& table, const Progress& progress = {});
 
 } // namespace quadrille
