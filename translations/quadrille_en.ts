@@ -506,6 +506,13 @@
             <numerusform>Remove %n motion spaces</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n live performances</source>
+        <translation>
+            <numerusform>Remove %n live performance</numerusform>
+            <numerusform>Remove %n live performances</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectPage</name>

@@ -1627,10 +1627,6 @@
 <context>
     <name>Length</name>
     <message>
-        <source>%1&#xa0;m</source>
-        <translation>%1&#xa0;m</translation>
-    </message>
-    <message>
         <source>%1 cm</source>
         <translation>%1 cm</translation>
     </message>
@@ -1645,6 +1641,10 @@
     <message>
         <source>%1 in</source>
         <translation>%1 in</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -3285,6 +3285,10 @@
         <source>Name a clip that shows the same frame by frame as “truth”.</source>
         <translation>Nommez comme « truth » un clip qui montre la même chose image par image.</translation>
     </message>
+    <message>
+        <source>Make one of some takes.</source>
+        <translation>Faites-en un de quelques prises.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -4309,10 +4313,6 @@
 <context>
     <name>quadrille::AxesFields</name>
     <message>
-        <source>%1&#xa0;m</source>
-        <translation>%1&#xa0;m</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Axe vertical</translation>
     </message>
@@ -4339,6 +4339,10 @@
     <message>
         <source>Others</source>
         <translation>Autres</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -7805,6 +7809,150 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LiveBar</name>
+    <message>
+        <source>Recorded performances</source>
+        <translation>Performances enregistrées</translation>
+    </message>
+    <message>
+        <source>Recorded performances; choosing one plays it again</source>
+        <translation>Performances enregistrées ; en choisir une la rejoue</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Aucun enregistrement</translation>
+    </message>
+    <message>
+        <source>Preparing motion spaces…</source>
+        <translation>Préparation des espaces de mouvement…</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s</source>
+        <translation>Enregistrement : %1 s</translation>
+    </message>
+    <message>
+        <source>Replay: %1 of %2 s</source>
+        <translation>Rejoue : %1 sur %2 s</translation>
+    </message>
+    <message>
+        <source>Live: %1 s</source>
+        <translation>En direct : %1 s</translation>
+    </message>
+    <message>
+        <source>Paused at %1 s</source>
+        <translation>En pause à %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LiveEdits</name>
+    <message>
+        <source>Record “%1”</source>
+        <translation>Enregistrer « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LiveGraphResults</name>
+    <message>
+        <source>Motion spaces</source>
+        <translation>Espaces de mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LiveWorkspace</name>
+    <message>
+        <source>Performer</source>
+        <translation>Interprète</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En direct</translation>
+    </message>
+    <message>
+        <source>&amp;Play live, or pause</source>
+        <translation>&amp;Jouer en direct, ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>Plays the motion spaces as they are steered, or pauses</source>
+        <translation>Joue les espaces de mouvement comme on les dirige, ou met en pause</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Records what is steered, until it is pressed again: a performance of the project</source>
+        <translation>Enregistre ce qui est dirigé, jusqu’à ce qu’on appuie de nouveau : une performance du projet</translation>
+    </message>
+    <message>
+        <source>&amp;Begin anew</source>
+        <translation>&amp;Recommencer</translation>
+    </message>
+    <message>
+        <source>Forgets what was played, and begins where it began</source>
+        <translation>Oublie ce qui fut joué, et commence là où cela avait commencé</translation>
+    </message>
+    <message>
+        <source>&amp;Add as a take</source>
+        <translation>&amp;Ajouter comme prise</translation>
+    </message>
+    <message>
+        <source>Adds the recorded clip to the takes: for graphs, animations, variations</source>
+        <translation>Ajoute le clip enregistré aux prises : pour graphes, animations, variations</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the clip…</source>
+        <translation>E&amp;xporter le clip…</translation>
+    </message>
+    <message>
+        <source>Writes the recorded clip into files</source>
+        <translation>Écrit le clip enregistré dans des fichiers</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Rewind</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>The gamepad was pulled out.</source>
+        <translation>La manette a été débranchée.</translation>
+    </message>
+    <message>
+        <source>Plug it in again, or steer by keys; Space goes on.</source>
+        <translation>Rebranchez-la, ou dirigez au clavier ; Espace continue.</translation>
+    </message>
+    <message>
+        <source>performance</source>
+        <translation>performance</translation>
+    </message>
+    <message>
+        <source>Spaces</source>
+        <translation>Espaces</translation>
+    </message>
+    <message>
+        <source>Import takes of somebody first: walks, turns, jumps.</source>
+        <translation>Importez d’abord des prises de quelqu’un : marches, virages, sauts.</translation>
+    </message>
+    <message>
+        <source>Here takes of one kind become a movement that you steer: walks by their speed.</source>
+        <translation>Ici, des prises d’une même sorte deviennent un mouvement que vous dirigez : des marches par leur vitesse.</translation>
+    </message>
+    <message>
+        <source>Select some takes and make a motion space of them.</source>
+        <translation>Sélectionnez quelques prises et faites-en un espace de mouvement.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Réessayer</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message>
         <source>%1, mesh</source>
@@ -8127,6 +8275,10 @@
     <message>
         <source>T&amp;ransfer</source>
         <translation>T&amp;ransfert</translation>
+    </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>En &amp;direct</translation>
     </message>
 </context>
 <context>
@@ -8650,18 +8802,6 @@
         <translation>Retirer le paramètre</translation>
     </message>
     <message>
-        <source>%1&#xa0;m/s</source>
-        <translation>%1&#xa0;m/s</translation>
-    </message>
-    <message>
-        <source>%1&#xa0;°/s</source>
-        <translation>%1&#xa0;°/s</translation>
-    </message>
-    <message>
-        <source>%1&#xa0;m</source>
-        <translation>%1&#xa0;m</translation>
-    </message>
-    <message>
         <source>mirrored</source>
         <translation>en miroir</translation>
     </message>
@@ -8706,6 +8846,18 @@
             <numerusform>%n référence</numerusform>
             <numerusform>%n références</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -9711,12 +9863,12 @@ maximal %2</translation>
         <translation>%1, images %2 – %3</translation>
     </message>
     <message>
-        <source>%1&#xa0;m/s</source>
-        <translation>%1&#xa0;m/s</translation>
-    </message>
-    <message>
         <source>any frames</source>
         <translation>toutes images</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
@@ -10558,6 +10710,13 @@ maximal %2</translation>
             <numerusform>Retirer %n espaces de mouvement</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Remove %n live performances</source>
+        <translation>
+            <numerusform>Supprimer %n performance en direct</numerusform>
+            <numerusform>Supprimer %n performances en direct</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ProjectFiles</name>
@@ -10927,6 +11086,10 @@ maximal %2</translation>
     <message>
         <source>Motion spaces (%1)</source>
         <translation>Espaces de mouvement (%1)</translation>
+    </message>
+    <message>
+        <source>Live performances (%1)</source>
+        <translation>Performances en direct (%1)</translation>
     </message>
 </context>
 <context>
@@ -11509,6 +11672,69 @@ maximal %2</translation>
     <message>
         <source>Folder of results</source>
         <translation>Dossier des résultats</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::RewindPanel</name>
+    <message>
+        <source>Transitions that were made</source>
+        <translation>Transitions faites</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quand</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Transition</translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation>Latence</translation>
+    </message>
+    <message>
+        <source>Unlikeness</source>
+        <translation>Dissemblance</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Attente</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coût</translation>
+    </message>
+    <message>
+        <source>Dissimilarity of the poses that meet, 0 to 1000</source>
+        <translation>Dissemblance des poses qui se rencontrent, de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>What the latency costs</source>
+        <translation>Ce que coûte la latence</translation>
+    </message>
+    <message>
+        <source>Transitions show here as they are made. Choose one to go back to it: Space plays on as it was, and steering takes over from there.</source>
+        <translation>Les transitions apparaissent ici à mesure qu’elles se font. Choisissez-en une pour y revenir : Espace rejoue comme c’était, et diriger reprend la main de là.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>leave frame %1, enter %2</source>
+        <translation>quitter l’image %1, entrer par %2</translation>
+    </message>
+    <message>
+        <source>%1 (chosen)</source>
+        <translation>%1 (choisie)</translation>
+    </message>
+    <message>
+        <source>%1 (going on)</source>
+        <translation>%1 (continuer)</translation>
     </message>
 </context>
 <context>
@@ -12345,6 +12571,53 @@ maximal %2</translation>
     <message>
         <source>Cancel “%1”</source>
         <translation>Annuler «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SteeringPanel</name>
+    <message>
+        <source>&amp;Responsive</source>
+        <translation>&amp;Réactif</translation>
+    </message>
+    <message>
+        <source>Transitions come at once, where they may be seen more; R. Else they wait for poses that are alike.</source>
+        <translation>Les transitions viennent aussitôt, où elles peuvent se voir davantage ; R. Sinon elles attendent des poses semblables.</translation>
+    </message>
+    <message>
+        <source>Steer with W A S D or the arrows, 1 to 9 for spaces, J to jump, Space to pause.</source>
+        <translation>Dirigez par W A S D ou les flèches, 1 à 9 pour les espaces, J pour sauter, Espace pour la pause.</translation>
+    </message>
+    <message>
+        <source>Motion spaces show here.</source>
+        <translation>Les espaces de mouvement apparaissent ici.</translation>
+    </message>
+    <message>
+        <source>Motion spaces</source>
+        <translation>Espaces de mouvement</translation>
+    </message>
+    <message>
+        <source>Transitions that were made</source>
+        <translation>Transitions faites</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>Manette : %1</translation>
+    </message>
+    <message>
+        <source>%1, soon %2</source>
+        <translation>%1, bientôt %2</translation>
+    </message>
+    <message>
+        <source>Measured: %1, %2</source>
+        <translation>Mesuré : %1, %2</translation>
+    </message>
+    <message>
+        <source>Last transition: %1 s, dissimilarity %2 of 1000</source>
+        <translation>Dernière transition : %1 s, dissemblance %2 sur 1000</translation>
+    </message>
+    <message>
+        <source>Tick %1 ms, picture %2 ms</source>
+        <translation>Pas %1 ms, image %2 ms</translation>
     </message>
 </context>
 <context>
@@ -13365,11 +13638,6 @@ maximal %2</translation>
         <translation>Les meilleures suivantes, de là à peu près</translation>
     </message>
     <message>
-        <source>%1&#xa0;m/s</source>
-        <extracomment>a speed</extracomment>
-        <translation>%1&#xa0;m/s</translation>
-    </message>
-    <message>
         <source>Foot slide</source>
         <translation>Glissement des pieds</translation>
     </message>
@@ -13418,6 +13686,11 @@ maximal %2</translation>
     <message>
         <source>What blended frames cost in which body and feet move otherwise (Speed, under Settings)</source>
         <translation>Ce que coûtent des images fondues où le corps et les pieds bougent autrement (Vitesse, dans Réglages)</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <extracomment>a speed</extracomment>
+        <translation>%1 m/s</translation>
     </message>
 </context>
 <context>
