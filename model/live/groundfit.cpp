@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/live/groundfit.h"
 
+#include "model/geometry/procrustes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -44,14 +46,16 @@ GroundMotion fitOverGround(Positions pose, Positions onto, const Ground& ground)
     }
     from /= sum;
     to /= sum;
+    // A foot alone says little of where the body looks: all vertices count alike for that.
+    const Vec2d middle = ground.of(centroid(pose));
+    const Vec2d middleOnto = ground.of(centroid(onto));
     double cosine = 0;
     double sine = 0;
     for (std::size_t v = 0; v < pose.size(); ++v) {
-        const double weight = weightOf(v);
-        const Vec2d a = ground.of(pose[v].cast<double>()) - from;
-        const Vec2d b = ground.of(onto[v].cast<double>()) - to;
-        cosine += weight * a.dot(b);
-        sine += weight * (a.x() * b.y() - a.y() * b.x());
+        const Vec2d a = ground.of(pose[v].cast<double>()) - middle;
+        const Vec2d b = ground.of(onto[v].cast<double>()) - middleOnto;
+        cosine += a.dot(b);
+        sine += a.x() * b.y() - a.y() * b.x();
     }
     return GroundMotion::taking(from, to, std::atan2(sine, cosine));
 }

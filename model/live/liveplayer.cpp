@@ -120,7 +120,8 @@ bool LivePlayer::mayLeave() const
         return true;
     // What is left goes on while it fades, and the trellis has its depth.
     const double last = static_cast<double>(spaceOf(m_state.track).frameCount() - 1);
-    return m_state.track.phase >= std::min(m_settings.earliestLeave * last, last - fadeFrames());
+    return m_state.track.phase >=
+           std::min(m_settings.earliestLeave * last, last - fadeFrames() - 0.5 * m_settings.search.depth);
 }
 
 void LivePlayer::decide(const LiveInput& input)
@@ -149,8 +150,19 @@ void LivePlayer::decide(const LiveInput& input)
         (input.isResponsive ? *link.responsive : *link.smooth).search(m_decision.state, m_decision.goal);
     m_decision.count = std::min(found.size(), LiveDecision::mostChoices);
     std::copy_n(found.begin(), m_decision.count, m_decision.choices.begin());
+    if (!isCyclic(m_state.track)) {
+        // What is left goes on for half of the fade at least, where one of the best ways lets it.
+        const double latestLeave =
+            static_cast<double>(spaceOf(m_state.track).frameCount() - 1) - fadeFrames() / 2;
+        const auto end = m_decision.choices.begin() + static_cast<std::ptrdiff_t>(m_decision.count);
+        const auto good = std::find_if(m_decision.choices.begin(), end, [&](const TransitionChoice& choice) {
+            return static_cast<double>(choice.leavingFrame) <= latestLeave;
+        });
+        if (good != end)
+            std::rotate(m_decision.choices.begin(), good, good + 1);
+    }
     ++m_state.decisions;
-    m_state.choice = found.front();
+    m_state.choice = m_decision.choices.front();
     m_state.target = wanted;
     m_state.way = LiveState::Way::Leaving;
     m_state.wayStart = m_state.track.place;
@@ -229,18 +241,40 @@ double LivePlayer::play(LiveTrack& track, double& seconds, double most) const
     while (seconds > 0 && done < most) {
         const auto frame = static_cast<std::size_t>(track.phase);
         if (!space.isCyclic && frame + 1 >= space.frameCount()) {
-            seconds = 0; // it stays at its end
+            // It stays at its end.
+            seconds = 0;
             break;
         }
         const double length = blendedSeconds(space, frame, weights);
         const double rest = static_cast<double>(frame + 1) - track.phase;
         const double part = std::min({rest, seconds / length, most - done});
         track.root = track.root * partOf(blendedStep(space, frame, weights), part);
-        track.phase = part < rest ? track.phase + part : static_cast<double>(space.next(frame));
+        // Rounding may reach the next frame, too.
+        const double phase = track.phase + part;
+        const bool isBefore = part < rest && phase < static_cast<double>(frame + 1);
+        track.phase = isBefore ? phase : static_cast<double>(space.next(frame));
         seconds = std::max(0.0, seconds - part * length);
         done += part;
     }
     return done;
+}
+
+void LivePlayer::playOut(LiveTrack& track, double seconds) const
+{
+    const MotionSpace& space = spaceOf(track);
+    if (space.isCyclic) {
+        play(track, seconds, forever);
+        return;
+    }
+    // Stopping at the end would show as long as half of it is seen: the pose comes to rest there, and the
+    // body goes on over the ground.
+    constexpr double restFrames = 4;
+    const double last = static_cast<double>(space.frameCount() - 1);
+    const auto frame = static_cast<std::size_t>(std::clamp(track.phase, 0.0, std::max(last - 1, 0.0)));
+    const NodeWeights weights = space.weights.at(track.place);
+    const double part = seconds / blendedSeconds(space, frame, weights);
+    track.root = track.root * partOf(blendedStep(space, frame, weights), part);
+    track.phase += part * std::clamp((last - track.phase) / restFrames, 0.0, 1.0);
 }
 
 void LivePlayer::tick(const LiveInput& input)
@@ -264,7 +298,7 @@ void LivePlayer::tick(const LiveInput& input)
         }
     }
     if (m_state.fade < 1) {
-        play(m_state.left, left, forever);
+        playOut(m_state.left, left);
         m_state.fade = std::min(1.0, m_state.fade + whole / m_settings.fadeSeconds);
     }
     const double played = play(m_state.track, seconds, forever);

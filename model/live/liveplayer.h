@@ -67,6 +67,8 @@ private:
     void movePlace(const LiveInput& input, double seconds);
     /// \return frames. \param most  to be played at most.
     double play(LiveTrack& track, double& seconds, double most) const;
+    /// What was left, while it fades.
+    void playOut(LiveTrack& track, double seconds) const;
     void switchOver();
     void poseOf(const LiveTrack& track, MutablePositions out) const;
 

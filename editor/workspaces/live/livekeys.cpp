@@ -91,8 +91,7 @@ bool LiveKeys::isMine(const QKeyEvent& event) const
     const QWidget* focus = QApplication::focusWidget();
     const bool isPlain = (event.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == 0;
     return isPlain && (isSteering(event.key()) || isOther(event.key())) && !isField(focus) &&
-           QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr &&
-           m_widget.window()->isActiveWindow();
+           QApplication::activeModalWidget() == nullptr && QApplication::activePopupWidget() == nullptr;
 }
 
 void LiveKeys::press(int key)
@@ -113,7 +112,8 @@ bool LiveKeys::eventFilter(QObject* watched, QEvent* event)
         m_held.clear(); // what is let go elsewhere is not heard of
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease ||
                        event->type() == QEvent::ShortcutOverride;
-    if (!isKey || qobject_cast<QWidget*>(watched) == nullptr)
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (!isKey || widget == nullptr || widget->window() != m_widget.window())
         return false;
     auto* key = static_cast<QKeyEvent*>(event);
     if (event->type() == QEvent::KeyRelease && !key->isAutoRepeat() && m_held.remove(key->key()))

@@ -88,7 +88,10 @@ void LiveWorkspace::makeActions()
          },
          "disc",
          {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R)}},
-        false, [this](bool /*on*/) { toggleRecording(); });
+        false, [this](bool on) {
+            if (on != m_session->isRecording())
+                toggleRecording();
+        });
     connect(m_session, &LiveSession::changed, record,
             [this, record] { record->setChecked(m_session->isRecording()); });
     actions.add({"live.restart",

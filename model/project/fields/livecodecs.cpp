@@ -16,7 +16,7 @@ constexpr double greatestParameter = 1e9;
 
 bool isWholeTo(const Json& number, double greatest)
 {
-    return number.is_number_unsigned() && number.get<double>() <= greatest;
+    return number.is_number_integer() && number.get<double>() >= 0 && number.get<double>() <= greatest;
 }
 
 bool isChange(const Json& item)
