@@ -171,8 +171,9 @@ TEST_F(MotionSpaceSteps, CompareTheSpacesOfACharacter)
     const auto table = openSimilarities(results, "walk", "bow");
     EXPECT_EQ(*table, similarities(*opened("walk"), *opened("bow")));
     EXPECT_EQ(table, openSimilarities(results, "walk", "bow")) << "it was read twice";
-    EXPECT_THAT(column<std::string>("transitions/walk/bow/report", "kind"),
-                ElementsAre("online", "responsive", "1 computed before", "5 computed before", "10 computed before"));
+    EXPECT_THAT(
+        column<std::string>("transitions/walk/bow/report", "kind"),
+        ElementsAre("online", "responsive", "1 computed before", "5 computed before", "10 computed before"));
     const std::vector<double> latencies = column<double>("transitions/bow/walk/report", "mean-latency");
     EXPECT_GT(latencies[1], 0);
     EXPECT_THROW(openSimilarities(results, "walk", "walk"), Error);
