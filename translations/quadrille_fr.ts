@@ -12596,10 +12596,6 @@ maximal %2</translation>
         <translation>Espaces de mouvement</translation>
     </message>
     <message>
-        <source>Transitions that were made</source>
-        <translation>Transitions faites</translation>
-    </message>
-    <message>
         <source>Gamepad: %1</source>
         <translation>Manette : %1</translation>
     </message>
@@ -12618,6 +12614,10 @@ maximal %2</translation>
     <message>
         <source>Tick %1 ms, picture %2 ms</source>
         <translation>Pas %1 ms, image %2 ms</translation>
+    </message>
+    <message>
+        <source>Transitions</source>
+        <translation>Transitions</translation>
     </message>
 </context>
 <context>

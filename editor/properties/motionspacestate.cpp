@@ -18,7 +18,7 @@ namespace {
 
 QString withUnit(double value, SpaceMeasure measure)
 {
-    const QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 1 : 2);
+    QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 1 : 2);
     switch (measure) {
     case SpaceMeasure::Speed:
         return MotionSpacePage::tr("%1 m/s").arg(number);
@@ -87,7 +87,7 @@ QString MotionSpacePage::takeText(std::size_t index) const
 
 QString MotionSpacePage::parameterText(std::size_t index) const
 {
-    const QString name = QString::fromStdString(entry().parameters[index].name);
+    QString name = QString::fromStdString(entry().parameters[index].name);
     const MotionSpaceResult* result = readyResult(context(), entryName());
     if (result == nullptr || index >= result->space->parameters.size())
         return name;

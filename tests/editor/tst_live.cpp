@@ -224,7 +224,11 @@ private slots:
 
     void projectsWithoutSpacesAreExplained()
     {
-        m_window->open({m_folder->filePath("slow")});
+        Project project;
+        SequenceEntry& sequence = project.sequences.emplace_back();
+        sequence.name = "slow";
+        sequence.source = m_folder->filePath("slow").toStdString();
+        document().reset(project);
         QVERIFY(test::waitForSequence(*m_window, "slow"));
         m_window->workspaces().select("live");
         QVERIFY(workspace().view().message().isVisible());

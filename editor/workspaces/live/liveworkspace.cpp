@@ -16,6 +16,7 @@
 #include "model/project/document/findentry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/theme.h"
+#include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
 #include <QVBoxLayout>
@@ -158,8 +159,8 @@ void LiveWorkspace::connectSession()
 void LiveWorkspace::connectView()
 {
     m_view->setUsualUnit(widgets::Timeline::Unit::Seconds);
-    m_view->setFollowing(true);
     // The session plays, not the player of clips.
+    m_playback = m_view->findChild<widgets::PlaybackBar*>();
     connect(&player(), &Player::playingChanged, this, [this](bool isPlaying) {
         if (!isPlaying)
             return;
@@ -201,6 +202,10 @@ void LiveWorkspace::setActive(bool active)
         m_session->pause();
     follow();
     followRunning();
+    // A performer who is steered leaves the view at once; the menu's wish is put in for each workspace first.
+    if (active)
+        QMetaObject::invokeMethod(
+            this, [this] { m_view->setFollowing(true); }, Qt::QueuedConnection);
 }
 
 /// Spaces are computed only while somebody looks.
@@ -231,14 +236,13 @@ void LiveWorkspace::followGraph()
     }
     const bool isComputed = state != nullptr && state->phase == ResultPhase::Computing;
     m_bar->showProgress(isComputed && state->job ? state->job->fraction() : -1);
-    if (isComputed && state->job)
-        connect(
-            state->job, &Job::changed, m_bar,
-            [this, job = state->job] {
-                if (job)
-                    m_bar->showProgress(job->fraction());
-            },
-            Qt::UniqueConnection);
+    if (isComputed && state->job && m_job != state->job) {
+        m_job = state->job;
+        connect(m_job, &Job::changed, m_bar, [this] {
+            if (m_job)
+                m_bar->showProgress(m_job->fraction());
+        });
+    }
     showState();
 }
 
@@ -327,6 +331,8 @@ void LiveWorkspace::showTimeline()
         m_shownTicks = ticks;
         timeline.setFps(1 / m_session->tickSeconds());
         timeline.setFrameCount(ticks + 1);
+        m_playback->setFps(1 / m_session->tickSeconds());
+        m_playback->setFrameCount(ticks + 1);
         widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
         for (int tick = 0; tick <= ticks; ++tick) {
             const auto space = static_cast<int>(m_session->stateAt(tick).track.space);

@@ -4,13 +4,20 @@
 
 #include "editor/workspaces/workspace.h"
 
+#include <QPointer>
+
 namespace quadrille {
 
 class Gamepad;
+class Job;
 class LiveBar;
 class LiveKeys;
 class LiveSession;
 class SteeringPanel;
+
+namespace widgets {
+class PlaybackBar;
+}
 
 /// The workspace in which motion spaces are steered live: by keys, gamepad and sliders. Every tick can be
 /// gone back to, and what was steered becomes a performance of the project.
@@ -63,7 +70,9 @@ private:
     std::vector<Panel> m_panels;
     MeshSequence m_still; ///< that the figure is made of
     QString m_loaded;     ///< the performance that is played again
-    QString m_help;       ///< the action behind the message's button
+    widgets::PlaybackBar* m_playback = nullptr;
+    QPointer<Job> m_job; ///< whose progress is followed
+    QString m_help;      ///< the action behind the message's button
     int m_shownTicks = 0;
     bool m_isActive = false;
 };

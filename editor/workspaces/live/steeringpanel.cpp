@@ -148,7 +148,7 @@ void SteeringPanel::showGraph()
             links.push_back({ends.first, ends.second, count});
     }
     m_graph->setNodes(std::move(nodes));
-    m_graph->setLinks(tr("Transitions that were made"), std::move(links));
+    m_graph->setLinks(tr("Transitions"), std::move(links));
     m_graph->setChosen(m_session.isReady() ? std::vector{m_session.wantedSpace()} : std::vector<int>());
 }
 

@@ -51,6 +51,7 @@ Clip withStandingFeet(Clip clip, const LiveTakes& takes, UpAxis up, const Progre
 std::vector<std::string> liveGraphSteps(const std::vector<std::string>& spaces)
 {
     std::vector<std::string> steps;
+    steps.reserve(spaces.size() * spaces.size());
     for (const std::string& space : spaces)
         steps.push_back(motionSpaceStepOf(space));
     for (const std::string& source : spaces) {
