@@ -264,7 +264,7 @@ BuildStep ia4dTable2Step(const CharacterInputs& work, const EvaluationEntry& eva
         step.inputs.push_back(transitionReportStepOf(source.entry().name, target.entry().name));
     });
     for (const auto& [source, target] : pairs) // they are called so in the table
-        step.settings += source + '\n' + target + '\n';
+        step.settings.append(source).append("\n").append(target).append("\n");
     step.compute = [pairs](const StepContext& context, const Progress& /*progress*/) {
         TableBuilder table("ia4d-table2",
                            "Transitions between motion spaces from random states, as IA4D Table 2: found "
