@@ -8571,6 +8571,10 @@
         <source>Wor&amp;kspace</source>
         <translation>Espace de &amp;travail</translation>
     </message>
+    <message>
+        <source>&amp;Live</source>
+        <translation>En &amp;direct</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MotionSpaceEdits</name>

@@ -21,6 +21,7 @@ Menus::Menus(EditorContext& context, QMainWindow& window)
     addVariations();
     addAppearance();
     addTransfer();
+    addLive();
     addMenu("playbackMenu", [] { return tr("&Playback"); },
             {"play.toggle",
              "",
@@ -169,6 +170,12 @@ void Menus::addTransfer()
     addSubmenu(*transfer, "pairsMenu", [] { return tr("&Pairs"); },
                {"transfer.propose", "transfer.mirror", "transfer.mirrorAll", "transfer.removePair"});
     fill(*transfer, {"", "transfer.addSequence", "transfer.export", "", "projection.new"});
+}
+
+void Menus::addLive()
+{
+    addMenu("liveMenu", [] { return tr("&Live"); },
+            {"live.run", "live.record", "live.restart", "", "live.addSequence", "live.export"});
 }
 
 void Menus::addLanguages()

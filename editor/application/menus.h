@@ -42,6 +42,7 @@ private:
     void addVariations();
     void addAppearance();
     void addTransfer();
+    void addLive();
     void addLanguages();
     void retranslate();
 
