@@ -37,7 +37,7 @@ TEST_F(MotionSpaceEvaluations, MeasureBlendsByTheirReferences)
     evaluate("ia4d-table1");
     const std::string table = "evaluation/ia4d-table1";
     EXPECT_THAT(column<std::string>(table, "space"),
-                ElementsAre("walk", "walk", "walk", "walk", "turn", "turn", "turn", "turn"));
+                ElementsAre("walk", "walk", "walk", "walk", "walk", "turn", "turn", "turn", "turn", "turn"));
     EXPECT_THAT(column<std::int64_t>(table, "references"), ElementsAre(0, 1, 3, 7, 0, 1, 3, 7));
     const std::vector<double> errors = column<double>(table, "greatest-error");
     const std::vector<std::int64_t> memory = column<std::int64_t>(table, "memory");
@@ -70,11 +70,11 @@ TEST_F(MotionSpaceEvaluations, CompareTransitions)
     evaluate("ia4d-table2");
     const std::string table = "evaluation/ia4d-table2";
     EXPECT_THAT(column<std::string>(table, "source"),
-                ElementsAre("walk", "walk", "walk", "walk", "turn", "turn", "turn", "turn"));
+                ElementsAre("walk", "walk", "walk", "walk", "walk", "turn", "turn", "turn", "turn", "turn"));
     const std::vector<double> costs = column<double>(table, "cost");
-    EXPECT_LT(costs[0], costs[1]) << "one fixed transition is better than all";
-    EXPECT_LT(costs[4], costs[5]);
-    EXPECT_EQ(costs[4], column<double>("transitions/turn/walk/report", "cost")[0]);
+    EXPECT_LT(costs[0], costs[2]) << "one fixed transition is better than all";
+    EXPECT_LT(costs[5], costs[7]);
+    EXPECT_EQ(costs[5], column<double>("transitions/turn/walk/report", "cost")[0]);
 }
 
 TEST_F(MotionSpaceEvaluations, CompareInterpolatedDistances)
