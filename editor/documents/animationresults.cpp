@@ -50,14 +50,6 @@ AnimationResults::AnimationResults(ProjectDocument& document, GraphResults& grap
 
 AnimationResults::~AnimationResults() = default;
 
-void AnimationResults::want(const QStringList& names)
-{
-    if (m_wanted == names)
-        return;
-    m_wanted = names;
-    updateNow();
-}
-
 std::shared_ptr<const AnimationResult> AnimationResults::result(const QString& name) const
 {
     const State* found = resultState(name);
@@ -82,8 +74,6 @@ void AnimationResults::retry(const QString& name)
 
 void AnimationResults::follow(const ChangeEvent& event)
 {
-    if (event.kind == ChangeEvent::Kind::Reset)
-        m_wanted.clear();
     if (event.kind == ChangeEvent::Kind::Reset ||
         (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Animations))
         updateNow();
@@ -93,9 +83,8 @@ void AnimationResults::follow(const ChangeEvent& event)
 }
 
 /// A clip bears the name of its animation: another search makes it under the new one.
-void AnimationResults::renamed(const QString& before, const QString& name)
+void AnimationResults::renamed(const QString& /*before*/, const QString& name)
 {
-    std::ranges::replace(m_wanted, before, name);
     Item* const item = find<Item>(name);
     if (item == nullptr)
         return;
@@ -106,9 +95,9 @@ void AnimationResults::renamed(const QString& before, const QString& name)
 void AnimationResults::update()
 {
     forget([this](const QString& name, const ResultState& /*state*/) {
-        return !m_wanted.contains(name) || document().animation(name) == nullptr;
+        return !wanted().contains(name) || document().animation(name) == nullptr;
     });
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         if (document().animation(name) != nullptr)
             update(name, make<Item>(name));
     }

@@ -32,7 +32,7 @@ public:
     /// The animations that somebody looks at: these are solved. The graphs of their characters are asked for,
     /// and computed where they are missing. Those that are not among them any more are forgotten, with the
     /// work on them. Names that the project does not have (yet) do no harm.
-    void want(const QStringList& names);
+    void want(const QStringList& names) { setWanted(names); }
     /// Null when the project has no such animation, or nobody ever wanted it.
     const State* resultState(const QString& name) const { return find<const State>(name); }
     /// The last result of an animation; null without one.
@@ -57,7 +57,6 @@ private:
     void solve(const QString& name, Item& item, const AnimationEntry& entry);
 
     GraphResults& m_graphs;
-    QStringList m_wanted;
 };
 
 } // namespace quadrille

@@ -27,18 +27,9 @@ AppearanceResults::AppearanceResults(ProjectDocument& document, JobRunner& jobs,
 
 AppearanceResults::~AppearanceResults() = default;
 
-void AppearanceResults::want(const QStringList& names)
-{
-    if (m_wanted == names)
-        return;
-    m_wanted = names;
-    updateNow();
-}
-
 void AppearanceResults::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Reset) {
-        m_wanted.clear();
         forget([](const QString& /*name*/, const ResultState& /*state*/) { return true; });
     } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Appearances) {
         updateNow();
@@ -66,9 +57,8 @@ void AppearanceResults::followVaried(bool tells)
 }
 
 /// Results bear the name of their entry.
-void AppearanceResults::renamed(const QString& before, const QString& name)
+void AppearanceResults::renamed(const QString& /*before*/, const QString& name)
 {
-    std::ranges::replace(m_wanted, before, name);
     Item* const item = find<Item>(name);
     if (item == nullptr)
         return;
@@ -102,9 +92,9 @@ void AppearanceResults::update()
     const Project& project = document().project();
     forget([&](const QString& name, const ResultState& state) {
         const bool isThere = findAppearance(project, name.toStdString()) != nullptr;
-        return !isThere || (!m_wanted.contains(name) && !isComputed(static_cast<const Item&>(state)));
+        return !isThere || (!wanted().contains(name) && !isComputed(static_cast<const Item&>(state)));
     });
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         if (findAppearance(project, name.toStdString()) == nullptr)
             continue;
         Item& item = make<Item>(name);

@@ -36,7 +36,7 @@ public:
     ~AppearanceResults() override;
 
     /// The models that somebody looks at. Others are let go of, unless they are being computed.
-    void want(const QStringList& names);
+    void want(const QStringList& names) { setWanted(names); }
     /// Null where the project has no such model, or nobody ever wanted it.
     const State* resultState(const QString& name) const { return find<const State>(name); }
     /// Computes the model where it is not up to date. Nothing happens where nobody wants it, or while it is
@@ -68,7 +68,6 @@ private:
     Project basisOf(const QString& name) const;
     void followVaried(bool tells);
 
-    QStringList m_wanted;
     QHash<QString, VariedTextures> m_varied; ///< what the project says of its models
 };
 

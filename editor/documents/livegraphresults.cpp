@@ -12,17 +12,6 @@ namespace {
 
 constexpr std::chrono::milliseconds liveGraphDelay(300);
 
-/// All that the spaces depend on.
-Project basisOf(const Project& project, const std::vector<std::string>& spaces)
-{
-    Project asked = project;
-    LiveEntry all;
-    all.name = "all";
-    all.spaces = spaces;
-    asked.lives = {all};
-    return partsOfClip(asked, "live/all");
-}
-
 } // namespace
 
 LiveGraphResults::LiveGraphResults(ProjectDocument& document, JobRunner& jobs, QObject* parent)
@@ -32,52 +21,45 @@ LiveGraphResults::LiveGraphResults(ProjectDocument& document, JobRunner& jobs, Q
 
 LiveGraphResults::~LiveGraphResults() = default;
 
-void LiveGraphResults::want(const QString& character)
-{
-    if (m_wanted == character && m_wanted.isNull() == character.isNull())
-        return;
-    m_wanted = character;
-    updateNow();
-}
-
 void LiveGraphResults::retry(const QString& character)
 {
     Item* const item = find<Item>(character);
-    if (item != nullptr && m_wanted == character)
+    if (item != nullptr && wanted().contains(character))
         compute(character, *item);
 }
 
 void LiveGraphResults::follow(const ChangeEvent& event)
 {
-    if (event.kind == ChangeEvent::Kind::Reset) {
-        m_wanted = QString();
+    if (event.kind == ChangeEvent::Kind::Reset)
         forget([](const QString& /*name*/, const ResultState& /*state*/) { return true; });
-    } else {
+    else
         WantedResults::follow(event);
-    }
 }
 
 void LiveGraphResults::update()
 {
     const Project& project = document().project();
-    const std::vector<std::string> spaces = playableSpaces(project, m_wanted.toStdString());
-    const bool isPlayable = !m_wanted.isNull() && !spaces.empty();
+    const auto isPlayable = [&](const QString& character) {
+        return wanted().contains(character) && !playableSpaces(project, character.toStdString()).empty();
+    };
     QStringList gone;
     for (const auto& [name, state] : states()) {
-        if (!isPlayable || name != m_wanted)
+        if (!isPlayable(name))
             gone += name;
     }
     forget([&gone](const QString& name, const ResultState& /*state*/) { return gone.contains(name); });
     for (const QString& name : std::as_const(gone))
         emit changed(name);
-    if (!isPlayable)
-        return;
-    Item& item = make<Item>(m_wanted);
-    Project basis = basisOf(project, spaces);
-    if (item.made == basis)
-        return;
-    item.made = std::move(basis);
-    compute(m_wanted, item);
+    for (const QString& name : wanted()) {
+        if (!isPlayable(name))
+            continue;
+        Item& item = make<Item>(name);
+        Project basis = partsOfMotionSpaces(project, playableSpaces(project, name.toStdString()));
+        if (item.made == basis)
+            continue;
+        item.made = std::move(basis);
+        compute(name, item);
+    }
 }
 
 void LiveGraphResults::compute(const QString& name, Item& item)

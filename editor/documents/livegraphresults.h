@@ -23,7 +23,10 @@ public:
     ~LiveGraphResults() override;
 
     /// \param character  whose spaces somebody plays; null where nobody does any more.
-    void want(const QString& character);
+    void want(const QString& character)
+    {
+        setWanted(character.isNull() ? QStringList() : QStringList{character});
+    }
     /// Null where nobody ever wanted it, or the character has no spaces.
     const State* resultState(const QString& character) const { return find<const State>(character); }
     /// Computes again what failed or was stopped. Nothing happens where nobody wants it.
@@ -38,8 +41,6 @@ private:
     void follow(const ChangeEvent& event) override;
     void update() override;
     void compute(const QString& name, Item& item);
-
-    QString m_wanted; ///< null for none
 };
 
 } // namespace quadrille

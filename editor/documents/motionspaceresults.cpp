@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/documents/motionspaceresults.h"
 
+#include "model/project/document/clipdependencies.h"
 #include "model/project/document/findentry.h"
 
 #include <algorithm>
@@ -13,19 +14,6 @@ namespace {
 
 constexpr std::chrono::milliseconds motionSpaceDelay(300);
 
-/// The project without what no motion space depends on. What is left and does not matter either costs no
-/// more than a look at keys.
-Project partsOfSpace(const Project& project, const MotionSpaceEntry& entry)
-{
-    Project parts = project;
-    parts.motionSpaces = {entry};
-    parts.appearances.clear();
-    parts.projections.clear();
-    parts.evaluations.clear();
-    parts.exports.clear();
-    return parts;
-}
-
 } // namespace
 
 MotionSpaceResults::MotionSpaceResults(ProjectDocument& document, JobRunner& jobs, QObject* parent)
@@ -35,18 +23,9 @@ MotionSpaceResults::MotionSpaceResults(ProjectDocument& document, JobRunner& job
 
 MotionSpaceResults::~MotionSpaceResults() = default;
 
-void MotionSpaceResults::want(const QStringList& names)
-{
-    if (m_wanted == names)
-        return;
-    m_wanted = names;
-    updateNow();
-}
-
 void MotionSpaceResults::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Reset) {
-        m_wanted.clear();
         forget([](const QString& /*name*/, const ResultState& /*state*/) { return true; });
     } else {
         WantedResults::follow(event);
@@ -54,9 +33,8 @@ void MotionSpaceResults::follow(const ChangeEvent& event)
 }
 
 /// Its name is part of a space: it is read again under the new one.
-void MotionSpaceResults::renamed(const QString& before, const QString& name)
+void MotionSpaceResults::renamed(const QString& /*before*/, const QString& name)
 {
-    std::ranges::replace(m_wanted, before, name);
     Item* const item = find<Item>(name);
     if (item == nullptr)
         return;
@@ -68,14 +46,14 @@ void MotionSpaceResults::update()
 {
     const Project& project = document().project();
     forget([&](const QString& name, const ResultState& /*state*/) {
-        return !m_wanted.contains(name) || findMotionSpace(project, name.toStdString()) == nullptr;
+        return !wanted().contains(name) || findMotionSpace(project, name.toStdString()) == nullptr;
     });
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         const MotionSpaceEntry* entry = findMotionSpace(project, name.toStdString());
         if (entry == nullptr)
             continue;
         Item& item = make<Item>(name);
-        Project basis = partsOfSpace(project, *entry);
+        Project basis = partsOfMotionSpaces(project, {entry->name});
         if (item.made == basis)
             continue;
         item.made = std::move(basis);

@@ -25,7 +25,7 @@ public:
     ~MotionSpaceResults() override;
 
     /// The spaces that somebody looks at. Others are let go of.
-    void want(const QStringList& names);
+    void want(const QStringList& names) { setWanted(names); }
     /// Null where the project has no such space, or nobody ever wanted it.
     const State* resultState(const QString& name) const { return find<const State>(name); }
 
@@ -39,8 +39,6 @@ private:
     void renamed(const QString& before, const QString& name) override;
     void update() override;
     void compute(const QString& name, Item& item);
-
-    QStringList m_wanted;
 };
 
 } // namespace quadrille

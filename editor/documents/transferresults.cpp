@@ -23,24 +23,16 @@ TransferResults::TransferResults(ProjectDocument& document, JobRunner& jobs, QOb
 
 TransferResults::~TransferResults() = default;
 
-void TransferResults::want(const QStringList& names)
-{
-    if (m_wanted == names)
-        return;
-    m_wanted = names;
-    updateNow();
-}
-
 void TransferResults::retry(const QString& name)
 {
     Item* const item = find<Item>(name);
-    if (item != nullptr && m_wanted.contains(name))
+    if (item != nullptr && wanted().contains(name))
         compute(name, *item);
 }
 
 void TransferResults::refresh()
 {
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         if (Item* const item = find<Item>(name))
             item->made.reset();
     }
@@ -50,7 +42,6 @@ void TransferResults::refresh()
 void TransferResults::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Reset) {
-        m_wanted.clear();
         forget([](const QString& /*name*/, const ResultState& /*state*/) { return true; });
     } else if (event.kind == ChangeEvent::Kind::Renamed && event.entry.section == Section::Transfers) {
         updateNow();
@@ -60,9 +51,8 @@ void TransferResults::follow(const ChangeEvent& event)
 }
 
 /// A clip bears the name of its transfer: it is made again under the new one.
-void TransferResults::renamed(const QString& before, const QString& name)
+void TransferResults::renamed(const QString& /*before*/, const QString& name)
 {
-    std::ranges::replace(m_wanted, before, name);
     Item* const item = find<Item>(name);
     if (item == nullptr)
         return;
@@ -74,9 +64,9 @@ void TransferResults::update()
 {
     const Project& project = document().project();
     forget([&](const QString& name, const ResultState& /*state*/) {
-        return !m_wanted.contains(name) || findTransfer(project, name.toStdString()) == nullptr;
+        return !wanted().contains(name) || findTransfer(project, name.toStdString()) == nullptr;
     });
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         if (findTransfer(project, name.toStdString()) == nullptr)
             continue;
         Item& item = make<Item>(name);

@@ -26,7 +26,7 @@ public:
     ~TransferResults() override;
 
     /// The transfers that somebody looks at. Others are let go of.
-    void want(const QStringList& names);
+    void want(const QStringList& names) { setWanted(names); }
     /// Null where the project has no such transfer, or nobody ever wanted it.
     const State* resultState(const QString& name) const { return find<const State>(name); }
     /// Computes again what failed or was stopped. Nothing happens where nobody wants it.
@@ -48,8 +48,6 @@ private:
     void renamed(const QString& before, const QString& name) override;
     void update() override;
     void compute(const QString& name, Item& item);
-
-    QStringList m_wanted;
 };
 
 } // namespace quadrille

@@ -26,14 +26,6 @@ VariationResults::VariationResults(ProjectDocument& document, JobRunner& jobs, Q
 
 VariationResults::~VariationResults() = default;
 
-void VariationResults::want(const QStringList& names)
-{
-    if (m_wanted == names)
-        return;
-    m_wanted = names;
-    updateNow();
-}
-
 const MeshSequence* VariationResults::clip(const QString& name, int number) const
 {
     const State* found = resultState(name);
@@ -47,9 +39,8 @@ const MeshSequence* VariationResults::clip(const QString& name, int number) cons
     return nullptr;
 }
 
-void VariationResults::renamed(const QString& before, const QString& name)
+void VariationResults::renamed(const QString& /*before*/, const QString& name)
 {
-    std::ranges::replace(m_wanted, before, name);
     Item* const item = find<Item>(name);
     if (item == nullptr)
         return;
@@ -65,7 +56,6 @@ void VariationResults::renamed(const QString& before, const QString& name)
 void VariationResults::follow(const ChangeEvent& event)
 {
     if (event.kind == ChangeEvent::Kind::Reset) {
-        m_wanted.clear();
         // What was kept is of another project.
         for (const auto& [name, state] : states())
             static_cast<Item&>(*state).wantedAt = -1;
@@ -80,7 +70,7 @@ void VariationResults::follow(const ChangeEvent& event)
 void VariationResults::update()
 {
     forgetUnwanted();
-    for (const QString& name : std::as_const(m_wanted)) {
+    for (const QString& name : wanted()) {
         if (document().variation(name) == nullptr)
             continue;
         Item& item = make<Item>(name);
@@ -97,7 +87,7 @@ void VariationResults::forgetUnwanted()
         Item& item = static_cast<Item&>(*state);
         const bool isThere = document().variation(name) != nullptr;
         const bool isKept = isThere && item.wantedAt >= 0;
-        if ((isThere && m_wanted.contains(name)) || (isKept && item.does(Work::Learning)))
+        if ((isThere && wanted().contains(name)) || (isKept && item.does(Work::Learning)))
             continue;
         unwanted.emplace_back(isKept ? item.wantedAt : -1, name);
         rest(item);

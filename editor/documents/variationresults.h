@@ -46,7 +46,7 @@ public:
 
     /// The variations that somebody looks at. Of those that nobody wants any more the last three are kept;
     /// work on them ends, but for learning.
-    void want(const QStringList& names);
+    void want(const QStringList& names) { setWanted(names); }
     /// Null where the project has none of this name, or nobody wanted them lately.
     const State* resultState(const QString& name) const { return find<const State>(name); }
     /// A variation by its number among all of an entry's, from 1; null until it is drawn. Also null where it
@@ -81,7 +81,6 @@ private:
     void draw(const QString& name, Item& item);
     void takeLearned(const QString& name, Item& item, std::shared_ptr<const LearnedVariation> learned);
 
-    QStringList m_wanted;
     int m_looks = 0; ///< counts when variations were wanted
 };
 

@@ -100,7 +100,7 @@ void VariationResults::takeLearned(const QString& name, Item& item,
         item.drawing = item.opened->drawing;
         item.phase = ResultPhase::Ready;
     }
-    if (m_wanted.contains(name))
+    if (wanted().contains(name))
         update(name, item);
 }
 

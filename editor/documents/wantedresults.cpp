@@ -26,7 +26,7 @@ WantedResults::WantedResults(ProjectDocument& document, JobRunner& jobs, std::op
     m_delay.setInterval(delay);
     connect(&m_delay, &QTimer::timeout, this, &WantedResults::updateNow);
     connect(&document, &ProjectDocument::renamed, this, &WantedResults::rename);
-    connect(&document, &ProjectDocument::changed, this, &WantedResults::follow);
+    connect(&document, &ProjectDocument::changed, this, &WantedResults::take);
 }
 
 WantedResults::~WantedResults() = default;
@@ -50,6 +50,21 @@ void WantedResults::updateNow()
     update();
 }
 
+void WantedResults::setWanted(const QStringList& names)
+{
+    if (m_wanted == names)
+        return;
+    m_wanted = names;
+    updateNow();
+}
+
+void WantedResults::take(const ChangeEvent& event)
+{
+    if (event.kind == ChangeEvent::Kind::Reset)
+        m_wanted.clear();
+    follow(event);
+}
+
 void WantedResults::follow(const ChangeEvent& event)
 {
     if (event.kind != ChangeEvent::Kind::File)
@@ -65,6 +80,7 @@ void WantedResults::rename(const ChangeEvent& event)
         node.key() = event.entry.name;
         m_states.insert(std::move(node));
     }
+    std::ranges::replace(m_wanted, event.before, event.entry.name);
     renamed(event.before, event.entry.name);
 }
 

@@ -110,6 +110,11 @@ protected:
     /// The user stopped the work on it; its job is gone. By default it is idle.
     virtual void stopped(const QString& name, ResultState& state);
 
+    /// Those that somebody looks at; `update` comes at once where they are others. Renamed entries stay among
+    /// them, another project has none.
+    void setWanted(const QStringList& names);
+    const QStringList& wanted() const { return m_wanted; }
+
     ProjectDocument& document() const { return m_document; }
     /// For work that is of no single result.
     JobRunner& jobs() const { return m_jobs; }
@@ -150,6 +155,7 @@ protected:
 
 private:
     void rename(const ChangeEvent& event);
+    void take(const ChangeEvent& event);
     /// Null where nobody works under this number any more.
     States::value_type* ofRun(int run);
     JobSettings settingsOf(int run, const Shown& shown);
@@ -160,6 +166,7 @@ private:
     std::optional<Section> m_section;
     QTimer m_delay; ///< edits follow each other quickly
     States m_states;
+    QStringList m_wanted;
     int m_runs = 0;
     Mailbox m_mailbox{this};
 };
