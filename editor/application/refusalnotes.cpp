@@ -56,9 +56,7 @@ void RefusalNotes::tell(const Error& error)
     const ErrorText text = describe(error);
     QWidget* field = fieldOf(m_left ? m_left.data() : QApplication::focusWidget());
     if (field != nullptr) {
-        const QString sentence =
-            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
-        widgets::FieldNote::show(*field, sentence, text.remedy);
+        widgets::FieldNote::show(*field, text.placed(), text.remedy);
         return;
     }
     emit told(text.oneLine());

@@ -52,6 +52,11 @@ ErrorText textOf(const ErrorMessage& message, const ErrorContext& context)
 
 } // namespace
 
+QString ErrorText::placed() const
+{
+    return where.isEmpty() ? sentence : Texts::tr("%1 (%2)", "sentences and place").arg(sentence, where);
+}
+
 QString ErrorText::oneLine() const
 {
     const QString said =

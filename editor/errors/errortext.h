@@ -15,6 +15,8 @@ struct ErrorText
     QString where;    ///< "take_0007.obj, line 12"; empty when nothing is known
     QString remedy;   ///< what to do; may be empty
 
+    /// "Sentence (where)".
+    QString placed() const;
     /// "Sentence Remedy (where)" in one line.
     QString oneLine() const;
 };

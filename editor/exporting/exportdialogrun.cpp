@@ -219,9 +219,7 @@ void ExportDialog::fail(const Error& error)
     m_job = nullptr;
     setBusy(false);
     const ErrorText text = describe(error);
-    m_strip->show(widgets::MessageStrip::Kind::Error,
-                  text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
-                  text.remedy);
+    m_strip->show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
     show();
 }
 

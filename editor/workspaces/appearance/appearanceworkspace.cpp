@@ -166,9 +166,7 @@ void AppearanceWorkspace::showState()
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);
         m_help = "appearance.build";
-        message.show(Kind::Error,
-                     text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
-                     text.remedy);
+        message.show(Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else if (state != nullptr && state->phase == ResultPhase::Stale && !state->hasModel()) {
         m_help = "appearance.build";

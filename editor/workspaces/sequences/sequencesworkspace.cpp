@@ -178,9 +178,7 @@ void SequencesWorkspace::showState()
     viewport().setNotice(notice);
     if (resultState != nullptr && resultState->error) {
         const ErrorText text = describe(*resultState->error);
-        const QString sentence =
-            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
-        message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
+        message.show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else if (const QString problem = m_comparison->problem(); !problem.isEmpty()) {
         message.show(widgets::MessageStrip::Kind::Warning, problem, m_comparison->remedy());

@@ -248,9 +248,7 @@ void TransferWorkspace::showState()
         message.setAction(tr("New transfer"));
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);
-        message.show(Kind::Error,
-                     text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
-                     text.remedy);
+        message.show(Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else {
         message.clear();

@@ -277,9 +277,7 @@ void VariationsWorkspace::showState()
     widgets::MessageStrip& message = m_view->message();
     if (resultState != nullptr && resultState->error) {
         const ErrorText text = describe(*resultState->error);
-        const QString sentence =
-            text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where);
-        message.show(widgets::MessageStrip::Kind::Error, sentence, text.remedy);
+        message.show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else if (resultState != nullptr && resultState->isStopped) {
         message.show(widgets::MessageStrip::Kind::Info,
