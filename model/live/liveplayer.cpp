@@ -89,14 +89,32 @@ LivePlayer::LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSetting
                                        std::make_unique<TransitionSearch>(table, from, to, responsive)};
         }
     }
+    this->start(start);
+}
+
+void LivePlayer::start(const LiveStart& start)
+{
+    m_state = {};
+    m_decision = {};
     const double last = static_cast<double>(m_graph->spaces[start.space]->frameCount() - 1);
     m_state.track = {.space = start.space,
                      .phase = std::clamp(start.frame, 0.0, last),
                      .place = wantedPlace(start.space, start.parameters),
                      .root = start.root};
     m_state.left = m_state.track;
+    m_state.wanted = start.space;
     m_state.home = start.space;
     m_state.homeParameters = start.parameters;
+    if (isCyclic(m_state.track))
+        return;
+    for (std::size_t space = 0; space < m_graph->spaces.size(); ++space) {
+        const ParameterMap& map = m_graph->spaces[space]->map;
+        if (m_graph->spaces[space]->isCyclic && m_graph->leads(start.space, space)) {
+            m_state.home = space;
+            m_state.homeParameters = between(map.least, map.greatest, 0.5);
+            return;
+        }
+    }
 }
 
 SpacePoint LivePlayer::wantedPlace(std::size_t space, const SpacePoint& parameters) const
@@ -138,6 +156,7 @@ void LivePlayer::decide(const LiveInput& input)
     // Parameters are of the space that the input names.
     const SpacePoint& parameters = wanted == input.space ? input.parameters : m_state.homeParameters;
     m_decision = {.tick = m_state.tick,
+                  .wished = m_state.wished,
                   .source = source,
                   .target = wanted,
                   .state = {m_state.track.phase, m_state.track.place},
@@ -283,6 +302,10 @@ void LivePlayer::tick(const LiveInput& input)
     ++m_state.tick;
     if (input.space == m_state.home)
         m_state.homeParameters = input.parameters;
+    if (const std::size_t wanted = wantedSpace(input); wanted != m_state.wanted) {
+        m_state.wanted = wanted;
+        m_state.wished = m_state.tick;
+    }
     decide(input);
     const double whole = tickSeconds();
     double seconds = whole;
@@ -352,11 +375,9 @@ void perform(LivePlayer& player, std::span<const LiveInput> inputs,
              const std::function<void(LivePlayer&)>& use, const Progress& progress)
 {
     use(player);
-    const auto perFrame = static_cast<std::size_t>(player.settings().ticksPerFrame);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         player.tick(inputs[i]);
-        if ((i + 1) % perFrame == 0)
-            use(player);
+        use(player);
         progress.report(static_cast<std::int64_t>(i + 1), static_cast<std::int64_t>(inputs.size()));
     }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/live/livegraph.h"
 #include "model/live/livestate.h"
 
 #include <functional>
@@ -28,7 +29,12 @@ public:
     /// no sense).
     LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSettings& settings, const LiveStart& start);
 
+    /// Begins anew. From a space without a cycle it goes on to the first one with a cycle that it leads to,
+    /// in the middle of its parameters, unless something else is wanted. \pre As above. Allocates nothing.
+    void start(const LiveStart& start);
+
     const LiveGraph& graph() const { return *m_graph; }
+    const std::shared_ptr<const LiveGraph>& sharedGraph() const { return m_graph; }
     const LiveSettings& settings() const { return m_settings; }
     double tickSeconds() const { return 1 / (m_graph->fps * m_settings.ticksPerFrame); }
 
@@ -37,7 +43,8 @@ public:
     void tick(const LiveInput& input);
 
     const LiveState& state() const { return m_state; }
-    /// Goes to a state of a player of the same graph and settings; what follows is what followed then.
+    /// Goes to a state of a player of the same graph and settings; what follows is what followed then. The
+    /// last decision stays as it was.
     void restore(const LiveState& state) { m_state = state; }
 
     /// The pose of the state: all vertices over the ground, metres. Allocates nothing. Cost: as blendedPose,
@@ -81,8 +88,7 @@ private:
     std::vector<Vec3f> m_fitted;
 };
 
-/// Plays a recording. \param use  gets the player at the start and after each so many ticks as a clip's frame
-/// has. \throws Error Cancelled.
+/// Plays a recording. \param use  gets the player at the start and after each tick. \throws Error Cancelled.
 void perform(LivePlayer& player, std::span<const LiveInput> inputs,
              const std::function<void(LivePlayer&)>& use, const Progress& progress = {});
 

@@ -2,46 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/live/livegraph.h"
+#include "model/live/livesettings.h"
 
 #include <array>
 #include <cstdint>
 
 namespace quadrille {
-
-/// What is wanted at a tick.
-struct LiveInput
-{
-    std::size_t space = 0;
-    SpacePoint parameters{};   ///< of that space, in their units; kept to their limits
-    bool isResponsive = false; ///< latency counts more than likeness
-
-    bool operator==(const LiveInput&) const = default;
-};
-
-/// Where playing begins.
-struct LiveStart
-{
-    std::size_t space = 0;
-    SpacePoint parameters{};
-    double frame = 0;
-    GroundMotion root; ///< takes what stands over the origin to where it begins
-
-    bool operator==(const LiveStart&) const = default;
-};
-
-struct LiveSettings
-{
-    int ticksPerFrame = 2;           ///< at least 1; a recorded clip has each of so many ticks
-    TransitionSearchSettings search; ///< of transitions
-    double responsiveWeight = 40;    ///< λ of IA4D eq. 4 where latency counts more, for a frame
-    double fadeSeconds = 0.3;        ///< in which the target's surface takes over from the source's
-    double secondsAcross = 1;        ///< in which a place may go over all of its range
-    double earliestLeave = 0.75;     ///< share of a space without a cycle that is played at least
-    double latestArrival = 0.25;     ///< share of a space without a cycle within which it is entered
-
-    bool operator==(const LiveSettings&) const = default;
-};
 
 /// A space while it is played.
 struct LiveTrack
@@ -73,11 +39,13 @@ struct LiveState
     Way way = Way::Free;
     std::size_t target = 0; ///< of Leaving
     TransitionChoice choice;
-    SpacePoint wayStart{}; ///< the place where the way began
-    SpacePoint wayGoal{};  ///< where Arriving ends
-    double wayFrames = 0;  ///< how many frames of it are done
-    double wayEnd = 0;     ///< and how many there are
-    std::size_t home = 0;  ///< the last space with a cycle: from one without it goes there
+    SpacePoint wayStart{};   ///< the place where the way began
+    SpacePoint wayGoal{};    ///< where Arriving ends
+    double wayFrames = 0;    ///< how many frames of it are done
+    double wayEnd = 0;       ///< and how many there are
+    std::size_t wanted = 0;  ///< the space that is wanted,
+    std::int64_t wished = 0; ///< and the first tick at which it was
+    std::size_t home = 0;    ///< the last space with a cycle: from one without it goes there
     SpacePoint homeParameters{};
     std::int64_t decisions = 0; ///< that were made
 
@@ -89,7 +57,8 @@ struct LiveDecision
 {
     static constexpr std::size_t mostChoices = 6;
 
-    std::int64_t tick = 0;
+    std::int64_t tick = 0;   ///< at which the search was made
+    std::int64_t wished = 0; ///< the first tick at which the target was wanted, the same or earlier
     std::size_t source = 0;
     std::size_t target = 0;
     SpaceState state; ///< of the source
@@ -98,6 +67,12 @@ struct LiveDecision
     std::array<TransitionChoice, mostChoices> choices;
     std::size_t count = 0; ///< of choices
 
+    /// From the wish until the target is where it is wanted. \param ticksPerFrame  of the player.
+    double latencyFrames(int ticksPerFrame) const
+    {
+        return static_cast<double>(tick - wished) / ticksPerFrame + choices[0].sourceFrames +
+               choices[0].targetFrames;
+    }
     /// The best of those that go on in the source for longer than the one that was chosen; null where that is
     /// none of them.
     const TransitionChoice* goingOn() const;

@@ -4,6 +4,7 @@
 
 #include "model/parametric/similarity.h"
 #include "model/parametric/transitionplaces.h"
+#include "model/parametric/transitionsettings.h"
 
 #include <memory>
 #include <span>
@@ -24,14 +25,6 @@ struct TransitionGoal
     std::size_t firstFrame = 0;
     std::size_t lastFrame = 0; ///< included; in a cycle it may lie before the first
     SpacePoint place{};
-};
-
-struct TransitionSearchSettings
-{
-    int depth = 12;           ///< of the trellis on either side, frames
-    double latencyWeight = 5; ///< λ of IA4D eq. 4, for a frame; greater than 0
-    int steps = 10;           ///< of each axis' range; a place moves by one of them a frame at most
-    std::size_t choices = 6;  ///< how many are found, at least 1
 };
 
 /// A way from one space to another: the source is played on for some frames, then the target until it is

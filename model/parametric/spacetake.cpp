@@ -111,12 +111,6 @@ SeamCorrection seamOf(const StandingFrames& frames, std::size_t count)
 
 } // namespace
 
-Positions SpaceTake::pose(std::size_t frame) const
-{
-    const std::size_t vertices = poses.size() / steps.size();
-    return Positions(poses).subspan(frame * vertices, vertices);
-}
-
 SpaceTake makeSpaceTake(const MeshSequence& sequence, const AlignedTake& aligned,
                         const SpaceTakeOptions& options, const Progress& progress)
 {

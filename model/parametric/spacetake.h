@@ -21,7 +21,11 @@ struct SpaceTake
     std::vector<GroundMotion> steps; ///< of each frame the motion to the next one, seen from the frame
     std::vector<double> seconds;     ///< from each frame to the next one
 
-    Positions pose(std::size_t frame) const;
+    Positions pose(std::size_t frame) const
+    {
+        const std::size_t vertices = poses.size() / steps.size();
+        return Positions(poses).subspan(frame * vertices, vertices);
+    }
 };
 
 /// How a take becomes one of a space.

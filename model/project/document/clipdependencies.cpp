@@ -120,8 +120,11 @@ Project partsOfClip(const Project& project, const std::string& clip)
             parts.lives.push_back(live);
     }
     for (const LiveEntry& live : parts.lives) {
-        for (const MotionSpaceEntry& space : project.motionSpaces) {
-            if (contains(live.spaces, space.name) && !contains(parts.motionSpaces, space))
+        // A space is laid onto a pose of any sequence of its character.
+        const Project spaces = partsOfMotionSpaces(project, live.spaces);
+        parts.sequences = spaces.sequences;
+        for (const MotionSpaceEntry& space : spaces.motionSpaces) {
+            if (!contains(parts.motionSpaces, space))
                 parts.motionSpaces.push_back(space);
         }
     }
@@ -137,6 +140,19 @@ Project partsOfClip(const Project& project, const std::string& clip)
     }
     if (!parts.variations.empty() || !parts.lives.empty())
         parts.bodyParts = project.bodyParts;
+    return parts;
+}
+
+Project partsOfMotionSpaces(const Project& project, const std::vector<std::string>& spaces)
+{
+    Project parts = project;
+    std::erase_if(parts.motionSpaces,
+                  [&](const MotionSpaceEntry& space) { return !contains(spaces, space.name); });
+    parts.lives.clear();
+    parts.appearances.clear();
+    parts.projections.clear();
+    parts.evaluations.clear();
+    parts.exports.clear();
     return parts;
 }
 

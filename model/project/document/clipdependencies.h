@@ -20,8 +20,11 @@ std::vector<std::string> shownBy(const Project& project, const std::string& clip
 /// The parts of a project that a clip is made of: settings, characters, and the sequences,
 /// animations and variations that it shows, directly or through others. Where it has made clips, it is there
 /// only once they are computed.
-/// \param clip  "sequences/NAME", "animations/NAME" or "variations/NAME/3".
+/// \param clip  "sequences/NAME", "animations/NAME", "live/NAME" or "variations/NAME/3".
 Project partsOfClip(const Project& project, const std::string& clip);
+
+/// What motion spaces depend on: the project with these alone, and without what no motion space is made of.
+Project partsOfMotionSpaces(const Project& project, const std::vector<std::string>& spaces);
 
 /// Whether a clip is, through others, made of itself.
 bool isMadeOfItself(const Project& project, const std::string& clip);

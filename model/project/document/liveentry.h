@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/live/livestate.h"
+#include "model/live/livesettings.h"
 #include "model/project/document/animationentry.h"
 
 #include <optional>
@@ -24,19 +24,20 @@ struct LiveChange
 struct LiveEntry
 {
     std::string name;
-    std::vector<std::string> spaces; ///< motion spaces of one character
-    std::vector<LiveChange> inputs;  ///< ascending, the first at tick 0
-    std::int64_t ticks = 0;          ///< of the performance
-    std::int64_t from = 0;           ///< the tick of the clip's first frame
-    int ticksPerFrame = 2;           ///< the clip has a frame after each of so many ticks
-    std::optional<Vec2d> position;   ///< where it begins; the middle of the ground
-    double heading = 0;              ///< degrees to the left
-    int depth = 12;                  ///< of the trellis, frames
-    double latencyWeight = 5;        ///< λ, for a frame
-    double responsiveWeight = 40;    ///< λ where latency counts more than likeness
-    double fadeSeconds = 0.3;        ///< in which one space takes over from another
-    double secondsAcross = 1;        ///< in which a parameter goes over its range at least
-    bool correctsContacts = true;    ///< feet that stand in the takes stand still
+    std::vector<std::string> spaces;                  ///< motion spaces of one character
+    std::vector<LiveChange> inputs;                   ///< ascending, the first at tick 0
+    std::int64_t ticks = 0;                           ///< of the performance
+    std::int64_t from = 0;                            ///< the tick of the clip's first frame
+    int ticksPerFrame = LiveSettings().ticksPerFrame; ///< the clip has a frame after each of so many ticks
+    std::optional<Vec2d> position;                    ///< where it begins; the middle of the ground
+    double heading = 0;                               ///< degrees to the left
+    int depth = LiveSettings().search.depth;          ///< of the trellis, frames
+    double latencyWeight = LiveSettings().search.latencyWeight; ///< λ, for a frame
+    double responsiveWeight = LiveSettings().responsiveWeight; ///< λ where latency counts more than likeness
+    double fadeSeconds = LiveSettings().fadeSeconds;           ///< in which one space takes over from another
+    double secondsAcross =
+        LiveSettings().secondsAcross; ///< in which a parameter goes over its range at least
+    bool correctsContacts = true;     ///< feet that stand in the takes stand still
     UnknownKeys unknown;
 
     bool operator==(const LiveEntry&) const = default;

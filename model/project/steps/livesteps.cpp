@@ -35,16 +35,23 @@ DataTable stateTable(const LiveEntry& entry, const PerformedLive& made, const st
 DataTable decisionTable(const LiveEntry& entry, const PerformedLive& made)
 {
     TableBuilder table("transitions",
-                       "Transitions that were made: what was left and entered, how unlike both "
+                       "Transitions that were made: when, since when they were wished for, what was left and "
+                       "entered, how unlike both "
                        "were (0 … 1000), and what waiting cost.");
-    table.whole("tick", "ticks").text("from").text("to").real("dissimilarity").real("latency-cost");
+    table.whole("tick", "ticks")
+        .whole("wished", "ticks")
+        .text("from")
+        .text("to")
+        .real("dissimilarity")
+        .real("latency-cost");
     table.whole("source-frames", "frames").whole("target-frames", "frames").whole("leaving-frame", "frame");
     table.whole("arrival-frame", "frame");
     for (const LiveDecision& decision : made.decisions) {
         const TransitionChoice& choice = decision.choices[0];
-        table.add({decision.tick, entry.spaces[decision.source], entry.spaces[decision.target],
-                   choice.dissimilarity, choice.latencyCost, std::int64_t{choice.sourceFrames},
-                   std::int64_t{choice.targetFrames}, static_cast<std::int64_t>(choice.leavingFrame),
+        table.add({decision.tick, decision.wished, entry.spaces[decision.source],
+                   entry.spaces[decision.target], choice.dissimilarity, choice.latencyCost,
+                   std::int64_t{choice.sourceFrames}, std::int64_t{choice.targetFrames},
+                   static_cast<std::int64_t>(choice.leavingFrame),
                    static_cast<std::int64_t>(choice.arrivalFrame)});
     }
     return std::move(table).table();
@@ -65,10 +72,10 @@ BuildStep liveStep(const StepMaking& making, const LiveEntry& entry)
     step.inputs = liveGraphSteps(entry.spaces);
     step.files = [](const Progress&) { return std::vector<std::filesystem::path>(); };
     step.compute = [opener = making.opener, entry](const StepContext& context, const Progress& progress) {
-        const auto graph = liveGraphFrom(opener, entry.spaces, context, progress);
-        const LiveTakes takes(*opener, entry.spaces, progress.part(0, 0.2));
+        const auto graph = liveGraphFrom(opener, entry.spaces, context, progress.part(0, 0.1));
+        const LiveTakes takes(*opener, entry.spaces, progress.part(0.1, 0.3));
         const Project& project = opener->project();
-        PerformedLive made = performLive(graph, entry, project, takes, progress.part(0.2, 0.9));
+        PerformedLive made = performLive(graph, entry, project, takes, progress.part(0.3, 0.9));
         MeshSequence shown = toSequence(entry.name, made.clip, takes.frames());
         DataTable states =
             stateTable(entry, made, footSlides(shown, project.settings.axes.up, progress.part(0.9, 1)));

@@ -69,9 +69,13 @@ std::shared_ptr<const LiveGraph> liveGraphFrom(const std::shared_ptr<SequenceOpe
 {
     auto graph = std::make_shared<LiveGraph>();
     graph->fps = opener->project().settings.fps;
-    for (const std::string& space : spaces)
-        graph->spaces.push_back(sharedMotionSpace(
-            MotionSpaceWork(opener, spaceEntry(opener->project(), space)), context, progress));
+    const auto count = static_cast<double>(spaces.size());
+    for (const std::string& space : spaces) {
+        const auto done = static_cast<double>(graph->spaces.size());
+        graph->spaces.push_back(
+            sharedMotionSpace(MotionSpaceWork(opener, spaceEntry(opener->project(), space)), context,
+                              progress.part(done / count, (done + 1) / count)));
+    }
     graph->tables.resize(spaces.size(), std::vector<std::shared_ptr<const SimilarityTable>>(spaces.size()));
     for (std::size_t source = 0; source < spaces.size(); ++source) {
         for (std::size_t target = 0; target < spaces.size(); ++target) {
@@ -132,6 +136,15 @@ std::vector<LiveChange> changesOf(std::span<const LiveInput> inputs)
     return changes;
 }
 
+FrameIndex capturedFrame(const SpaceTakeEntry& entry, const SpaceTake& take, std::size_t frame,
+                         std::int64_t frames)
+{
+    std::int64_t captured = std::lround(take.warp.positions[frame]);
+    if (entry.isReversed)
+        captured = frames - 1 - captured;
+    return FrameIndex(std::clamp<std::int64_t>(captured, 0, frames - 1));
+}
+
 LiveTakes::LiveTakes(SequenceOpener& opener, const std::vector<std::string>& spaces, const Progress& progress)
     : m_names(takesOfSpaces(opener.project(), spaces))
 {
@@ -157,10 +170,9 @@ FrameProvenance LiveTakes::of(const LiveProvenance& provenance, const LiveGraph&
     const SpaceTake& take = graph.spaces[provenance.space]->takes[provenance.take];
     const auto sequence = static_cast<int>(std::ranges::find(m_names, entry.sequence) - m_names.begin());
     const FrameLayout& layout = m_frames->layout();
-    NodeIndex frame = static_cast<NodeIndex>(std::lround(take.warp.positions[provenance.frame]));
-    if (entry.isReversed)
-        frame = layout.countOf(sequence) - 1 - frame;
-    frame = layout.firstOf(sequence) + std::clamp(frame, 0, layout.countOf(sequence) - 1);
+    const auto frame =
+        static_cast<NodeIndex>(layout.firstOf(sequence) +
+                               capturedFrame(entry, take, provenance.frame, layout.countOf(sequence)).value);
     return {.source = frame, .destination = frame, .lambda = 0, .mirrored = entry.isMirrored};
 }
 
@@ -176,26 +188,19 @@ PerformedLive performLive(const std::shared_ptr<const LiveGraph>& graph, const L
     made.clip.topology = takes.frames().sequences().front().topology;
     made.clip.fps = project.settings.fps;
     const std::size_t vertices = graph->vertexCount();
-    const auto take = [&] {
+    const auto take = [&](LivePlayer& played) {
+        if (played.state().decisions != static_cast<std::int64_t>(made.decisions.size()))
+            made.decisions.push_back(played.decision());
+        const std::int64_t shown = played.state().tick - entry.from;
+        if (shown < 0 || shown % entry.ticksPerFrame != 0)
+            return;
         const std::size_t begin = made.clip.positions.size();
         made.clip.positions.resize(begin + vertices);
-        player.pose(MutablePositions(made.clip.positions).subspan(begin, vertices));
-        made.clip.origins.push_back(takes.of(player.provenance(), *graph, spaces));
-        made.states.push_back(player.state());
+        played.pose(MutablePositions(made.clip.positions).subspan(begin, vertices));
+        made.clip.origins.push_back(takes.of(played.provenance(), *graph, spaces));
+        made.states.push_back(played.state());
     };
-    for (std::size_t tick = 0; tick <= inputs.size(); ++tick) {
-        const auto shown = static_cast<std::int64_t>(tick) - entry.from;
-        if (shown >= 0 && shown % entry.ticksPerFrame == 0)
-            take();
-        if (tick == inputs.size())
-            break;
-        const std::int64_t before = player.state().decisions;
-        player.tick(inputs[tick]);
-        if (player.state().decisions != before)
-            made.decisions.push_back(player.decision());
-        progress.part(0, 0.4).report(static_cast<std::int64_t>(tick + 1),
-                                     static_cast<std::int64_t>(inputs.size()));
-    }
+    perform(player, inputs, take, progress.part(0, 0.4));
     if (entry.correctsContacts)
         made.clip = withStandingFeet(std::move(made.clip), takes, graph->up(), progress.part(0.4, 1));
     return made;

@@ -34,6 +34,10 @@ std::vector<LiveInput> inputsOf(const LiveEntry& entry);
 /// The other way round: only what changes. Ticks are those of the inputs.
 std::vector<LiveChange> changesOf(std::span<const LiveInput> inputs);
 
+/// The captured frame that a frame of a space shows of a take. \param frames  of the sequence, some.
+FrameIndex capturedFrame(const SpaceTakeEntry& entry, const SpaceTake& take, std::size_t frame,
+                         std::int64_t frames);
+
 /// The frames of the takes of live performances: of each sequence of the project once, as provenances count.
 class LiveTakes
 {

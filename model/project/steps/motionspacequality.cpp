@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/live/livestate.h"
+#include "model/live/livesettings.h"
+#include "model/parametric/measureunit.h"
 #include "model/parametric/precomputedtransitions.h"
 #include "model/parametric/references.h"
 #include "model/project/steps/charactersteps.h"

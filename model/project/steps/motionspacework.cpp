@@ -5,6 +5,7 @@
 #include "model/core/contains.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/document/paths.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/media/sequencesettings.h"
@@ -165,7 +166,8 @@ NamedFrame MotionSpaceWork::templateFrame() const
         return *m_parts.pose;
     for (const SequenceEntry& sequence : project().sequences) {
         const CharacterEntry* of = characterOf(project(), sequence);
-        if ((of ? of->name : "") == m_character)
+        // Clips may be made of the space itself.
+        if ((of ? of->name : "") == m_character && !clipOfSource(sequence.source))
             return {sequence.name, FrameIndex(0)};
     }
     return {m_entry.takes.front().sequence, FrameIndex(0)};
@@ -215,25 +217,6 @@ std::string MotionSpaceWork::settings() const
 std::vector<std::string> MotionSpaceWork::inputs() const
 {
     return clipInputs(project(), sequences());
-}
-
-std::string unitOf(SpaceMeasure measure)
-{
-    switch (measure) {
-    case SpaceMeasure::Speed:
-        return "m/s";
-    case SpaceMeasure::Turning:
-        return "deg/s";
-    case SpaceMeasure::JumpHeight:
-    case SpaceMeasure::JumpLength:
-    case SpaceMeasure::Height:
-    case SpaceMeasure::Forward:
-    case SpaceMeasure::Side:
-        return "m";
-    case SpaceMeasure::ByHand:
-        return {};
-    }
-    return {};
 }
 
 std::string toText(SpaceMeasure measure)

@@ -55,8 +55,6 @@ private:
     BodyPartsEntry m_parts;
 };
 
-/// What a measure counts in: "m/s", "deg/s" or "m"; empty for places by hand.
-std::string unitOf(SpaceMeasure measure);
 /// As the file has it.
 std::string toText(SpaceMeasure measure);
 

@@ -69,6 +69,17 @@ TEST(LivePlayer, PlaysATakeAlongAsItWasCaptured)
     EXPECT_EQ(player.provenance().take, 1U);
 }
 
+TEST(LivePlayer, LeavesASpaceThatEndsWhereItBeganThere)
+{
+    LivePlayer player(swingingGraph(), {}, {.space = jumping, .parameters = {1}});
+    bool hasLeft = false;
+    for (int t = 0; t < 120; ++t) {
+        player.tick({.space = jumping, .parameters = {1}});
+        hasLeft = hasLeft || player.state().track.space == walking;
+    }
+    EXPECT_TRUE(hasLeft);
+}
+
 TEST(LivePlayer, GoesAsFarInATickWhateverTheirRate)
 {
     const auto graph = swingingGraph();
@@ -262,22 +273,39 @@ TEST(LivePlayer, PlaysTheSameAgainAndAnyTickAgain)
     }
 }
 
-TEST(LivePlayer, PerformsEachFrameOfAClip)
+TEST(LivePlayer, PerformsARecordingTickByTick)
 {
     const auto graph = swingingGraph();
-    LivePlayer live(graph, {.ticksPerFrame = 2}, {.space = walking, .parameters = {1}});
+    LivePlayer live(graph, {}, {.space = walking, .parameters = {1}});
     const std::vector<LiveInput> inputs = whims(301, 4);
-    std::vector<std::vector<Vec3f>> frames{poseOf(live)};
-    for (std::size_t t = 0; t < inputs.size(); ++t) {
-        live.tick(inputs[t]);
-        if (t % 2 == 1)
-            frames.push_back(poseOf(live));
+    std::vector<LiveState> states{live.state()};
+    for (const LiveInput& input : inputs) {
+        live.tick(input);
+        states.push_back(live.state());
     }
-    LivePlayer player(graph, {.ticksPerFrame = 2}, {.space = walking, .parameters = {1}});
-    std::vector<std::vector<Vec3f>> clip;
-    perform(player, inputs, [&](LivePlayer& each) { clip.push_back(poseOf(each)); });
-    EXPECT_EQ(clip, frames);
-    EXPECT_EQ(clip.size(), 151U);
+    LivePlayer player(graph, {}, {.space = walking, .parameters = {1}});
+    std::vector<LiveState> performed;
+    perform(player, inputs, [&](const LivePlayer& each) { performed.push_back(each.state()); });
+    EXPECT_EQ(performed, states);
+}
+
+TEST(LivePlayer, CountsLatencyFromTheWish)
+{
+    const auto graph = swingingGraph();
+    LivePlayer player(graph, {}, {.space = walking, .parameters = {1}});
+    player.tick({.space = turning});
+    while (player.state().track.space != turning)
+        player.tick({.space = turning});
+    // While the one fades, nothing else is looked for.
+    const std::int64_t wish = player.state().tick + 1;
+    while (player.state().decisions < 2)
+        player.tick({.space = walking, .parameters = {1}});
+    const LiveDecision& decision = player.decision();
+    EXPECT_EQ(decision.wished, wish);
+    EXPECT_GT(decision.tick, wish + 10);
+    EXPECT_EQ(decision.latencyFrames(2), static_cast<double>(decision.tick - wish) / 2 +
+                                             decision.choices[0].sourceFrames +
+                                             decision.choices[0].targetFrames);
 }
 
 TEST(LivePlayer, RefusesSettingsThatMakeNoSense)
