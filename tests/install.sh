@@ -9,7 +9,8 @@ prefix=$(mktemp -d)
 trap 'rm -rf "$prefix"' EXIT
 cmake --install "$1" --prefix "$prefix" >"$prefix/log"
 status=0
-expected=(bin/quadrille share/quadrille/schema/quadrille-project.schema.json share/doc/quadrille/copyright)
+expected=(bin/quadrille share/quadrille/schema/quadrille-project.schema.json share/doc/quadrille/copyright
+    include/quadrille_player.h share/doc/quadrille/player/perform.c)
 programs=("$prefix/bin/quadrille")
 if [ "${2:-}" = editor ]; then
     expected+=(bin/quadrille-editor share/applications/quadrille.desktop share/metainfo/quadrille.metainfo.xml

@@ -13,6 +13,7 @@
 #include "editor/pictures/takepreview.h"
 #include "model/project/exports/exportentry.h"
 #include "model/project/fields/pictureoptions.h"
+#include "model/sequence/io/playerformat.h"
 #include "model/sequence/io/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
@@ -86,11 +87,6 @@ void ExportDialog::makeControls()
     name(m_strip, "exportMessage");
     name(m_export, "exportAccept");
     name(m_cancel, "exportCancel");
-    for (const auto& exporter : exporters()) {
-        const FormatInfo& info = exporter->format();
-        m_format->addItem(QString::fromStdString(info.name + " (" + info.extensions.front() + ")"),
-                          QString::fromStdString(info.id));
-    }
     listClips(*m_clip, m_context.document.project(), m_plan.clips);
     m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
@@ -186,7 +182,11 @@ void ExportDialog::readControls()
     entry.textures = m_textures->isChecked();
     entry.fps = m_fps->value() == settings.fps ? std::nullopt : std::optional(m_fps->value());
     entry.axes = m_axes->axes() == settings.axes ? std::nullopt : std::optional(m_axes->axes());
-    const bool isWhole = sequence() == nullptr || isDataSet() || m_plan.clips.size() > 1;
+    if (m_plan.isPlayer()) {
+        entry.fps.reset();
+        entry.axes.reset();
+    }
+    const bool isWhole = sequence() == nullptr || isDataSet() || m_plan.clips.size() > 1 || m_plan.isPlayer();
     entry.range = isWhole ? std::nullopt : m_range->range();
     if (m_plan.isPicture())
         entry.picture = picture();
@@ -202,17 +202,32 @@ UnknownKeys ExportDialog::picture() const
     return json;
 }
 
+void ExportDialog::offerFormats()
+{
+    m_format->clear();
+    for (const auto& exporter : exporters()) {
+        const FormatInfo& info = exporter->format();
+        if (info.id == playerFormat && !isLive())
+            continue;
+        m_format->addItem(QString::fromStdString(info.name + " (" + info.extensions.front() + ")"),
+                          QString::fromStdString(info.id));
+    }
+}
+
 void ExportDialog::showPlan()
 {
     const ProjectSettings& settings = m_context.document.project().settings;
     const ExportEntry& entry = m_plan.entry;
-    const QSignalBlocker blocks[] = {QSignalBlocker(m_fps), QSignalBlocker(m_textures)};
+    const QSignalBlocker blocks[] = {QSignalBlocker(m_fps), QSignalBlocker(m_textures),
+                                     QSignalBlocker(m_format)};
+    offerFormats();
     m_clip->setCurrentIndex(m_clip->findData(m_plan.clips.front()));
     m_format->setCurrentIndex(m_format->findData(QString::fromStdString(m_plan.format().id)));
     m_place->setText(QString::fromStdString(entry.path));
     const MeshSequence* shown = sequence();
     m_range->setRange(entry.range, shown == nullptr ? 0 : shown->frameCount());
-    m_range->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && shown != nullptr);
+    m_range->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && shown != nullptr && !m_plan.isPlayer());
+    m_fps->setEnabled(!m_plan.isPlayer());
     m_fps->setValue(entry.fps.value_or(settings.fps));
     m_axes->setProjectAxes(settings.axes);
     m_axes->setAxes(entry.axes.value_or(settings.axes));
@@ -275,6 +290,8 @@ void ExportDialog::chooseClip()
 {
     readControls();
     m_plan.clips = {m_clip->currentData().toString()};
+    if (m_plan.isPlayer() && !isLive())
+        m_plan.entry.format = exporters().front()->format().id;
     m_plan.entry.range.reset();
     m_view.reset();
     if (m_plan.edited.isEmpty()) {

@@ -94,6 +94,10 @@ private:
     void showInFolder();
     void retranslate();
     void chooseClip();
+    /// Whether all clips are performances.
+    bool isLive() const;
+    /// Lists the formats that clips can have.
+    void offerFormats();
     /// Whether all variations of an entry go out together.
     bool isDataSet() const;
     /// Frames of the first clip as the project has it; null while it is not ready.

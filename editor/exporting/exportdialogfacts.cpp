@@ -21,12 +21,19 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
+#include <algorithm>
 
 namespace quadrille {
 
 bool ExportDialog::isDataSet() const
 {
     return m_plan.clips.front().startsWith(QLatin1String("variations/"));
+}
+
+bool ExportDialog::isLive() const
+{
+    return std::ranges::all_of(m_plan.clips,
+                               [](const QString& clip) { return clip.startsWith(QLatin1String("live/")); });
 }
 
 const MeshSequence* ExportDialog::sequence() const
@@ -61,7 +68,7 @@ void ExportDialog::showFacts()
     const bool isPicture = m_plan.isPicture();
     m_picture->setVisible(isPicture);
     m_picture->setTransparencyPossible(m_plan.format().id == "png");
-    m_axes->setEnabled(!isPicture);
+    m_axes->setEnabled(!isPicture && !m_plan.isPlayer());
     m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
     const auto frames = framesWritten();
     QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
@@ -69,6 +76,8 @@ void ExportDialog::showFacts()
         text = tr("%1, and %n more", nullptr, static_cast<int>(m_plan.clips.size() - 1)).arg(text);
     if (isDataSet()) {
         text = tr("%1 … · all variations that are kept, their latents, and a description").arg(text);
+    } else if (m_plan.isPlayer()) {
+        text = tr("%1 · motion spaces, transitions and the recording, to be steered in games").arg(text);
     } else if (frames) {
         const double seconds = static_cast<double>(*frames) / m_plan.entry.fps.value_or(settings.fps);
         text = tr("%1 · %n frame(s), %2 s", "files · frames, seconds", static_cast<int>(*frames))

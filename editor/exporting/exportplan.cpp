@@ -6,6 +6,7 @@
 #include "editor/fields/clipchoice.h"
 #include "model/core/seriesname.h"
 #include "model/project/exports/exportentry.h"
+#include "model/sequence/io/playerformat.h"
 
 #include <QDir>
 #include <filesystem>
@@ -34,6 +35,11 @@ std::string nameOf(const QString& clip, const FormatInfo& format)
 const FormatInfo& ExportPlan::format() const
 {
     return exporterOf(entry).format();
+}
+
+bool ExportPlan::isPlayer() const
+{
+    return format().id == playerFormat;
 }
 
 bool ExportPlan::isPicture() const

@@ -23,6 +23,8 @@ struct ExportPlan
 
     /// \pre The entry's format is that of an exporter.
     const FormatInfo& format() const;
+    /// Motion spaces to be played by games, in place of a clip: only of performances.
+    bool isPlayer() const;
     bool isPicture() const;
     /// The entries that are written, one for each clip. Where there are several, all frames of each are
     /// written.

@@ -3,19 +3,12 @@
 #include "model/sequence/topology.h"
 
 #include "model/core/error.h"
-#include "model/sequence/halfedges.h"
+#include "model/sequence/lazyhalfedges.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 
 namespace quadrille {
-
-struct Topology::LazyHalfEdges
-{
-    std::once_flag once;
-    HalfEdges halfEdges;
-};
 
 namespace {
 
@@ -168,22 +161,6 @@ std::vector<std::int32_t> labelComponents(const TopologyData& data, TopologyStat
     return components;
 }
 
-HalfEdges buildHalfEdges(const TopologyData& data)
-{
-    HalfEdges result;
-    result.mesh.reserve(data.vertexCount, data.triangles.size() * 3 / 2, data.triangles.size());
-    for (std::uint32_t v = 0; v < data.vertexCount; ++v)
-        result.mesh.add_vertex({0, 0, 0});
-    for (std::uint32_t t = 0; t < data.triangles.size(); ++t) {
-        const auto handle = [&](std::size_t c) {
-            return HalfEdgeMesh::VertexHandle(static_cast<int>(data.triangles[t][c].value));
-        };
-        const auto face = result.mesh.add_face(handle(0), handle(1), handle(2));
-        (face.is_valid() ? result.triangleOfFace : result.leftOut).push_back(TriangleIndex(t));
-    }
-    return result;
-}
-
 } // namespace
 
 Topology::Topology(TopologyData data, const std::filesystem::path& file)
@@ -217,12 +194,6 @@ bool Topology::isPolygonSoup() const
 {
     const auto triangles = static_cast<std::int64_t>(m_data.triangles.size());
     return triangles > 1 && m_statistics.components == triangles;
-}
-
-const HalfEdges& Topology::halfEdges() const
-{
-    std::call_once(m_halfEdges->once, [this] { m_halfEdges->halfEdges = buildHalfEdges(m_data); });
-    return m_halfEdges->halfEdges;
 }
 
 } // namespace quadrille

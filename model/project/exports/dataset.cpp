@@ -133,13 +133,13 @@ std::vector<std::string> dataSetSteps(const Project& project, const std::string&
     return steps;
 }
 
-ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
+ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepContext& context,
                           WriteGuard* guard, const Progress& progress)
 {
     const Project& project = opener.project();
     const auto named = variationOfClip(entry.what);
     const VariationEntry& variation = *findVariation(project, named->variation);
-    const auto selection = resultOf(selectionStepOf(variation.name));
+    const auto selection = context.resultOf(selectionStepOf(variation.name));
     const std::vector<Member> members = membersOf(variation, *selection);
     ExportResult written;
     Json json = Json::object();
@@ -156,7 +156,7 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
                                                progress.part(at, at + share));
         Json item = rowJson(selection->tables.front(), members[m].row);
         item["file"] = fs::path(own.path).filename().generic_string();
-        item["frames"] = framesJson(*resultOf(clipStepOf(clip)));
+        item["frames"] = framesJson(*context.resultOf(clipStepOf(clip)));
         json["variations"].push_back(std::move(item));
         written.files.insert(written.files.end(), files.files.begin(), files.files.end());
         written.issues.insert(written.issues.end(), files.issues.begin(), files.issues.end());
@@ -166,7 +166,7 @@ ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, cons
     json["latents"] = Json::object();
     for (const std::string& part : partNamesOf(project, variation)) {
         const fs::path file = dataSetLatents(out, part);
-        writeData(latentsItem(*resultOf(samplesStepOf(variation.name, part)), members), file, guard);
+        writeData(latentsItem(*context.resultOf(samplesStepOf(variation.name, part)), members), file, guard);
         json["latents"][part] = file.filename().generic_string();
         written.files.push_back(file);
     }

@@ -21,9 +21,9 @@ std::filesystem::path dataSetDescription(const std::filesystem::path& out);
 /// says, DIR/NAME_1.pc2, DIR/NAME_2.pc2, …; the latent trajectories of each part, DIR/NAME_PART_latents.npy
 /// (variations × reference frames × dimensions); and DIR/NAME.json, which says what each of them varies, with
 /// seed, quality, and the captured frames that it follows.
-/// \param resultOf  the result of a step of dataSetSteps.
+/// \param context  has the results of dataSetSteps.
 /// \throws Error as writeExport, and what opening the clips throws.
-ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
+ExportResult writeDataSet(const ExportEntry& entry, SequenceOpener& opener, const StepContext& context,
                           WriteGuard* guard, const Progress& progress);
 
 } // namespace quadrille

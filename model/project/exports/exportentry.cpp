@@ -6,6 +6,7 @@
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
 #include "model/project/exports/dataset.h"
+#include "model/project/exports/playerexport.h"
 #include "model/project/fields/pictureoptions.h"
 #include "model/project/media/opensequence.h"
 #include "model/project/store/appearanceresult.h"
@@ -45,6 +46,8 @@ bool isDataSet(const ExportEntry& entry)
 
 std::vector<std::string> stepsOf(const Project& project, const ExportEntry& entry)
 {
+    if (isPlayer(entry))
+        return playerSteps(project, entry);
     std::vector<std::string> steps = isDataSet(entry)
                                          ? dataSetSteps(project, variationOfClip(entry.what)->variation)
                                          : clipStepsOf(project, entry.what);
@@ -106,13 +109,15 @@ ExportResult writeExport(const ExportEntry& entry, const MeshSequence& sequence,
     return exporter.write(prepared, resolvePath(entry.path, folder), options, progress);
 }
 
-ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
-                         WriteGuard& guard, const Progress& progress)
+ExportResult writeExport(const ExportEntry& entry, const std::shared_ptr<SequenceOpener>& opener,
+                         const StepContext& context, WriteGuard& guard, const Progress& progress)
 {
     if (isDataSet(entry))
-        return writeDataSet(entry, opener, resultOf, &guard, progress);
-    const auto opened = opener.openClip(entry.what, progress.part(0, 0.1));
-    return writeExport(entry, opened->sequence, opener.project(), opener.folder(), &guard,
+        return writeDataSet(entry, *opener, context, &guard, progress);
+    if (isPlayer(entry))
+        return writePlayer(entry, opener, context, &guard, progress);
+    const auto opened = opener->openClip(entry.what, progress.part(0, 0.1));
+    return writeExport(entry, opened->sequence, opener->project(), opener->folder(), &guard,
                        progress.part(0.1, 1));
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "model/project/media/opensequence.h"
-#include "model/project/store/result.h"
+#include "model/project/steps/buildstep.h"
 #include "model/sequence/io/files/format.h"
 
-#include <functional>
+#include <memory>
 
 namespace quadrille {
 
@@ -25,15 +25,12 @@ std::vector<CameraKey> cameraKeysOf(const Project& project, const ExportEntry& e
 /// Whether an entry is about all of "variations/NAME".
 bool isDataSet(const ExportEntry& entry);
 
-/// The result of a step by its name.
-using StepResults = std::function<ResultPointer(const std::string& step)>;
-
-/// Writes what an entry is about: a clip, or a data set of variations.
-/// \param resultOf  results of the steps that stepsOf names.
-/// \param guard     decides what may be written over.
+/// Writes what an entry is about: a clip, a data set of variations, or the player of a performance.
+/// \param context  has results of the steps that stepsOf names.
+/// \param guard    decides what may be written over.
 /// \throws Error as exportSequence, and what opening the clip throws.
-ExportResult writeExport(const ExportEntry& entry, SequenceOpener& opener, const StepResults& resultOf,
-                         WriteGuard& guard, const Progress& progress);
+ExportResult writeExport(const ExportEntry& entry, const std::shared_ptr<SequenceOpener>& opener,
+                         const StepContext& context, WriteGuard& guard, const Progress& progress);
 
 /// Writes a clip as an entry says.
 /// \param folder the project file's.

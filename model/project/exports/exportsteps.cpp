@@ -7,6 +7,7 @@
 #include "model/project/document/paths.h"
 #include "model/project/exports/exportclaims.h"
 #include "model/project/exports/exportentry.h"
+#include "model/project/exports/playerexport.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/file/projectjson.h"
 #include "model/project/media/projectguard.h"
@@ -79,12 +80,22 @@ BuildStep exportStep(const std::shared_ptr<SequenceOpener>& opener, const Export
             return opener->filesOf(name, progress);
         };
     }
+    if (const std::vector<std::string> takes = shownByPlayer(project, entry); !takes.empty()) {
+        step.files = [opener, takes](const Progress& progress) {
+            std::vector<std::filesystem::path> files;
+            for (const std::string& take : takes) {
+                const std::vector<std::filesystem::path> own = opener->filesOf(take, progress);
+                files.insert(files.end(), own.begin(), own.end());
+            }
+            return files;
+        };
+    }
     step.files = [before = step.files, opener, entry, guard](const Progress& progress) {
         checkOutputs(opener->project(), entry, opener->project().exports, opener->folder(), *guard);
         return before ? before(progress) : std::vector<std::filesystem::path>();
     };
     step.compute = [opener, entry, guard](const StepContext& context, const Progress& progress) {
-        const auto written = writeExport(entry, *opener, context.resultOf, *guard, progress.part(0, 0.95));
+        const auto written = writeExport(entry, opener, context, *guard, progress.part(0, 0.95));
         for (const Issue& issue : written.issues)
             context.tell(issue);
         Result result;

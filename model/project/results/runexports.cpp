@@ -89,8 +89,7 @@ std::vector<ExportResult> runExports(const WorkingProject& working, const std::v
     for (const ExportEntry& entry : entries) {
         const double at = 0.5 + 0.5 * static_cast<double>(results.size()) / count;
         const Progress part = progress.part(at, at + 0.5 / count);
-        const auto resultOf = [&](const std::string& step) { return fresh.resultOf(step); };
-        results.push_back(writeExport(entry, *project.opener(), resultOf, *guard, part));
+        results.push_back(writeExport(entry, project.opener(), fresh.context(), *guard, part));
     }
     return results;
 }

@@ -14,6 +14,7 @@
 #include "model/sequence/io/mesh/stl.h"
 #include "model/sequence/io/npy.h"
 #include "model/sequence/io/pc2.h"
+#include "model/sequence/io/playerformat.h"
 #include "model/sequence/io/scene/assimpscene.h"
 #include "model/sequence/io/usdwriter.h"
 
@@ -47,6 +48,7 @@ std::vector<std::unique_ptr<Exporter>> makeExporters()
     exporters.push_back(makeNpyExporter());
     exporters.push_back(std::make_unique<GlbExporter>());
     exporters.push_back(std::make_unique<UsdExporter>());
+    exporters.push_back(std::make_unique<PlayerExporter>());
     exporters.push_back(makePngExporter());
     exporters.push_back(makeVideoExporter());
     return exporters;
