@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/live/livegraph.h"
+#include "model/live/livestate.h"
 #include "model/project/results/projectresults.h"
 #include "model/sequence/meshsequence.h"
 
@@ -18,9 +19,13 @@ struct OpenedLiveGraph
     std::string character;
     std::vector<std::string> spaces; ///< names, as the graph counts them
     std::shared_ptr<const LiveGraph> graph;
-    /// By space, then take: what is shown of it, in the project's unit, with textures.
-    std::vector<std::vector<MeshSequence>> takes;
+    /// What the performer looks like: for each frame of each take of each space the texture of the captured
+    /// frame. All have the shape of one pose, in the project's unit.
+    MeshSequence look;
     double metresPerUnit = 1;
+
+    /// The frame of the look that a provenance means.
+    FrameIndex lookOf(const LiveProvenance& provenance) const;
 };
 
 using OpenedLiveGraphPointer = std::shared_ptr<const OpenedLiveGraph>;
