@@ -6,6 +6,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/fields/partlist.h"
 #include "editor/fields/rangefield.h"
+#include "editor/fields/spacemap.h"
 #include "model/project/document/findentry.h"
 
 #include <QHBoxLayout>
@@ -66,6 +67,7 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
            .name = "motionSpace",
            .workspace = nullptr,
            .characterTip = [] { return tr("Whose movement it is; takes are chosen anew with another one"); }})
+    , m_map(new SpaceMap)
     , m_takes(new PartList(QStringLiteral("motionSpaceTakes")))
     , m_newTake(makeChoiceField())
     , m_removeTake(textButton("−"))
@@ -94,6 +96,7 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
 {
     m_state = addFact("motionSpaceState", [] { return tr("State"); });
     m_state->setWordWrap(true);
+    addWide("motionSpaceMap", m_map);
     addTakes();
     addParameters();
     addSettings();

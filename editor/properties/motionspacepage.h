@@ -14,6 +14,7 @@ namespace quadrille {
 
 class PartList;
 class RangeField;
+class SpaceMap;
 
 /// A motion space: its takes, what steers it, and how well its blends come out once it is computed. The take
 /// and the parameter that are current in their lists have their fields below them.
@@ -53,6 +54,7 @@ private:
     QString parameterText(std::size_t index) const;
 
     QLabel* m_state = nullptr;
+    SpaceMap* m_map;
     PartList* m_takes;
     QComboBox* m_newTake;
     QToolButton* m_removeTake;

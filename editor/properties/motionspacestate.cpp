@@ -3,7 +3,9 @@
 // What a motion space is like once it is computed.
 #include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
+#include "editor/fields/measuretext.h"
 #include "editor/fields/partlist.h"
+#include "editor/fields/spacemap.h"
 #include "editor/properties/motionspacepage.h"
 #include "model/project/document/findentry.h"
 
@@ -15,21 +17,6 @@
 namespace quadrille {
 
 namespace {
-
-QString withUnit(double value, SpaceMeasure measure)
-{
-    QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 1 : 2);
-    switch (measure) {
-    case SpaceMeasure::Speed:
-        return MotionSpacePage::tr("%1 m/s").arg(number);
-    case SpaceMeasure::Turning:
-        return MotionSpacePage::tr("%1 °/s").arg(number);
-    case SpaceMeasure::ByHand:
-        return number;
-    default:
-        return MotionSpacePage::tr("%1 m").arg(number);
-    }
-}
 
 /// The result of a space where it is as the project says; null otherwise.
 const MotionSpaceResult* readyResult(const EditorContext& context, const QString& name)
@@ -80,7 +67,7 @@ QString MotionSpacePage::takeText(std::size_t index) const
     if (result != nullptr && index < result->space->takes.size()) {
         const SpacePoint& place = result->space->weights.nodes()[index].place;
         for (std::size_t p = 0; p < result->space->parameters.size(); ++p)
-            parts += withUnit(place[p], result->space->parameters[p].measure);
+            parts += measureText(place[p], result->space->parameters[p].measure);
     }
     return parts.join(QStringLiteral(" · "));
 }
@@ -94,13 +81,16 @@ QString MotionSpacePage::parameterText(std::size_t index) const
     const ParameterMap& map = result->space->map;
     const SpaceMeasure measure = result->space->parameters[index].measure;
     return tr("%1 · %2 to %3, missed by %4 at most")
-        .arg(name, withUnit(map.least[index], measure), withUnit(map.greatest[index], measure),
-             withUnit(map.worstResidual[index], measure));
+        .arg(name, measureText(map.least[index], measure), measureText(map.greatest[index], measure),
+             measureText(map.worstResidual[index], measure));
 }
 
 void MotionSpacePage::showState()
 {
     const MotionSpaceResults::State* state = context().motionSpaces.resultState(entryName());
+    const MotionSpaceResult* ready = readyResult(context(), entryName());
+    m_map->setSpace(ready == nullptr ? nullptr : ready->space);
+    m_map->setVisible(ready != nullptr);
     if (state == nullptr || state->phase == ResultPhase::Impossible) {
         m_state->setText(entry().takes.empty() ? tr("It has no takes") : QString());
     } else if (state->phase == ResultPhase::Failed) {

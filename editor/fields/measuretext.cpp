@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "editor/fields/measuretext.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace quadrille {
+
+namespace {
+
+struct MeasureText
+{
+    Q_DECLARE_TR_FUNCTIONS(MeasureText)
+};
+
+} // namespace
+
+QString measureText(double value, SpaceMeasure measure)
+{
+    const QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 0 : 2);
+    switch (measure) {
+    case SpaceMeasure::Speed:
+        return MeasureText::tr("%1 m/s").arg(number);
+    case SpaceMeasure::Turning:
+        return MeasureText::tr("%1 °/s").arg(number);
+    case SpaceMeasure::ByHand:
+        return number;
+    default:
+        return MeasureText::tr("%1 m").arg(number);
+    }
+}
+
+} // namespace quadrille
