@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: MIT
 // A tick of live playing with all that a picture needs – transition, pose over the ground, normals –, beside
 // the same by plain loops over takes and references. Wanted: 1 ms at 3,000 vertices, 6 ms at 20,000.
-#include "model/live/liveplayer.h"
+#include "model/live/livepath.h"
 #include "model/render/shading.h"
 #include "tests/model/parametric/spacefixture.h"
 
 #include <benchmark/benchmark.h>
+#include <cmath>
 #include <map>
 
 namespace quadrille {
@@ -61,6 +62,27 @@ void liveDecisions(benchmark::State& state)
     benchmark::DoNotOptimize(player.state().tick);
 }
 BENCHMARK(liveDecisions)->Unit(benchmark::kMicrosecond);
+
+/// A tick along a path, a decision every sixth: some seconds of an S of 40 m.
+void followedTick(benchmark::State& state)
+{
+    const auto graph = graphOf(3000);
+    const Ground ground(graph->up());
+    PathConstraint path;
+    for (int i = 0; i <= 400; ++i)
+        path.points.push_back(ground.at({0.1 * i, std::sin(0.1 * i)}, 0));
+    LivePathFollower follower(graph, {}, path);
+    LivePlayer player(graph, {}, follower.start());
+    const LiveState start = player.state();
+    for (auto _ : state) {
+        player.tick(follower.next(player.state()));
+        if (follower.isDone()) {
+            player.restore(start);
+            follower.resume(start);
+        }
+    }
+}
+BENCHMARK(followedTick)->Unit(benchmark::kMicrosecond);
 
 /// The pose of one space by plain loops in double precision: cubics of all takes and displacements of all
 /// references, then the motion over the ground.

@@ -1,115 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Motion spaces that are steered live: by keys, sliders and a gamepad; rewound, recorded, played again.
-#include "editor/context/editorcontext.h"
+#include "editor/commands/changeproject.h"
 #include "editor/workspaces/live/gamepad.h"
-#include "editor/workspaces/live/livesession.h"
 #include "editor/workspaces/live/livesteering.h"
-#include "editor/workspaces/live/liveworkspace.h"
-#include "editor/workspaces/workspacetabs.h"
-#include "editortest.h"
-#include "tests/model/variation/tubewalk.h"
+#include "livefixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
+#include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
-#include <QDir>
+#include <QCloseEvent>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTreeWidget>
 #include <SDL2/SDL.h>
-#include <fstream>
-#include <memory>
 
 namespace quadrille {
 
-class LiveTest : public QObject
+class LiveTest : public LiveFixture
 {
     Q_OBJECT
 
-private:
-    EditorContext& context() { return m_window->context(); }
-    ProjectDocument& document() { return context().document; }
-    LiveWorkspace& workspace() { return m_window->live(); }
-    LiveSession& session() { return workspace().session(); }
-    QAction* action(const char* id) { return context().actions.action(QLatin1String(id)); }
-
-    void writeTake(const QString& name, const test::TubeWalk& walk)
-    {
-        QDir(m_folder->path()).mkdir(name);
-        const std::vector<std::string> files = test::walkFiles(walk);
-        for (std::size_t f = 0; f < files.size(); ++f)
-            std::ofstream(m_folder->filePath(name + "/f_" + QString::number(100 + f) + ".obj").toStdString())
-                << files[f];
-    }
-    static MotionSpaceEntry spaceOf(const std::string& name, const std::vector<std::string>& takes)
-    {
-        MotionSpaceEntry entry;
-        entry.name = name;
-        for (const std::string& take : takes)
-            entry.takes.emplace_back().sequence = take;
-        if (takes.size() > 1)
-            entry.parameters.emplace_back().name = "speed";
-        entry.tolerance = 0.02;
-        return entry;
-    }
-    void play(int ticks)
-    {
-        for (int t = 0; t < ticks; ++t)
-            session().step();
-    }
-    void open()
-    {
-        m_window->open({m_folder->filePath("p.quadrille")});
-        QVERIFY(test::waitForSequence(*m_window, "slow"));
-        m_window->workspaces().select("live");
-        QTRY_VERIFY(session().isReady());
-        QTRY_VERIFY(workspace().scene().figureOf(LiveWorkspace::figureName()) >= 0);
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
 private slots:
-    void initTestCase()
-    {
-        test::isolate();
-        m_folder = std::make_unique<QTemporaryDir>();
-        writeTake("slow", {});
-        writeTake("fast", {.period = 16, .step = 0.05, .size = 1.6});
-        const QString file = m_folder->filePath("p.quadrille");
-        m_window = std::make_unique<MainWindow>();
-        Project project;
-        for (const char* name : {"slow", "fast"}) {
-            SequenceEntry& sequence = project.sequences.emplace_back();
-            sequence.name = name;
-            sequence.source = m_folder->filePath(name).toStdString();
-        }
-        project.motionSpaces = {spaceOf("walk", {"slow", "fast"}), spaceOf("steady", {"slow"})};
-        document().reset(project);
-        document().saveAs(file.toStdString());
-        m_window.reset();
-    }
-    void init()
-    {
-        m_window = std::make_unique<MainWindow>();
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    }
-    void cleanup()
-    {
-        if (m_window)
-            document().undoStack()->setClean();
-        m_window.reset();
-    }
-
     void keysSteerWhatIsPlayed()
     {
         open();
         auto* view = &workspace().viewport();
         view->setFocus();
         const double slow = session().steering().values()[0];
+        QTest::keyClick(view, Qt::Key_2); // nothing is steered while it pauses
+        QCOMPARE(session().wantedSpace(), 0);
+        session().run();
         QTest::keyPress(view, Qt::Key_W);
         play(30);
         QTest::keyRelease(view, Qt::Key_W);
@@ -126,8 +49,11 @@ private slots:
         QCOMPARE(session().decisions().size(), std::size_t{1});
         QTest::keyClick(view, Qt::Key_R);
         QVERIFY(session().isResponsive());
-        // The figure is where the player has it.
-        QCOMPARE(workspace().view().timeline().currentFrame(), 160);
+        session().pause();
+        QCOMPARE(workspace().view().timeline().currentFrame(), static_cast<int>(session().tickCount()));
+        // What the first space was steered to is kept for when it is wanted again.
+        session().want(0);
+        QCOMPARE(session().steering().values()[0], reached);
     }
 
     void slidersHoldAValue()
@@ -179,6 +105,11 @@ private slots:
         play(79);
         QCOMPARE(session().tickCount(), std::int64_t{120});
         QCOMPARE(pose(), last);
+        auto& bar = workspace().view().playback();
+        emit bar.stepRequested(-5);
+        QCOMPARE(session().state().tick, std::int64_t{115});
+        emit bar.firstRequested();
+        QCOMPARE(session().state().tick, std::int64_t{0});
         // Who steers takes over.
         session().goTo(60);
         session().want(0);
@@ -222,6 +153,78 @@ private slots:
         document().undo();
     }
 
+    void recordingsHaveTheSettingsOfWhatTheyGoOnFrom()
+    {
+        open();
+        LiveEntry entry;
+        entry.name = "first";
+        entry.spaces = {"steady", "walk"};
+        entry.inputs = {{0, {.space = 1, .parameters = {0.8}}}};
+        entry.ticks = 40;
+        entry.position = Vec2d(3, 2);
+        entry.heading = 30;
+        entry.fadeSeconds = 0.2;
+        entry.latencyWeight = 9;
+        entry.correctsContacts = false;
+        QVERIFY(session().load(entry, document().project().settings.axes));
+        session().goTo(40);
+        session().startRecording();
+        session().pause();
+        session().want(1);
+        play(60);
+        const auto shown = session().pose();
+        const std::vector<float> last(shown.begin(), shown.end());
+        const std::optional<LiveEntry> recorded = session().stopRecording();
+        QVERIFY(recorded.has_value());
+        QCOMPARE(recorded->position, entry.position);
+        QCOMPARE(recorded->heading, 30.0);
+        QCOMPARE(recorded->fadeSeconds, 0.2);
+        QCOMPARE(recorded->latencyWeight, 9.0);
+        QVERIFY(!recorded->correctsContacts);
+        QVERIFY(session().load(*recorded, document().project().settings.axes));
+        session().goTo(recorded->ticks);
+        QVERIFY(std::ranges::equal(session().pose(), last));
+    }
+
+    void recordingsAreKeptWhateverHappens()
+    {
+        open();
+        session().startRecording();
+        session().pause();
+        play(30);
+        // Edits of other things go on beside it.
+        Project project = document().project();
+        project.settings.cacheMegabytes += 1;
+        const std::int64_t ticks = session().tickCount();
+        document().push(std::make_unique<ChangeProject>(document(), "edit", project));
+        QTRY_COMPARE(context().liveGraphs.resultState("")->phase, ResultPhase::Ready);
+        QVERIFY(session().isRecording());
+        QCOMPARE(session().tickCount(), ticks);
+        // Motion spaces that were edited are another graph; what was steered in the old one is kept.
+        project = document().project();
+        project.motionSpaces.back().tolerance = 0.03;
+        const OpenedLiveGraphPointer before = session().graph();
+        document().push(std::make_unique<ChangeProject>(document(), "edit", project));
+        QTRY_COMPARE(document().project().lives.size(), std::size_t{1});
+        QCOMPARE(document().project().lives.front().ticks, ticks);
+        QTRY_VERIFY(session().graph() != before);
+        session().startRecording();
+        play(10);
+        QVERIFY(m_window->isWindowModified());
+        document().undoStack()->setClean();
+        QCloseEvent close;
+        QCoreApplication::sendEvent(&workspace(), &close); // that of the window alone counts
+        QVERIFY(session().isRecording());
+        session().restart();
+        QVERIFY(!session().isRecording());
+        // Another project has nothing of it.
+        session().startRecording();
+        play(10);
+        document().reset(Project());
+        QVERIFY(!session().isReady());
+        QVERIFY(document().project().lives.empty());
+    }
+
     void projectsWithoutSpacesAreExplained()
     {
         Project project;
@@ -244,9 +247,7 @@ private slots:
             QSKIP("There is a gamepad at this computer.");
         const int device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, 6, 15, 1);
         QVERIFY(device >= 0);
-        for (int poll = 0; poll < 100 && !gamepad.isConnected(); ++poll)
-            gamepad.poll();
-        QVERIFY(gamepad.isConnected());
+        QTRY_VERIFY(gamepad.isConnected()); // it is looked for while nothing is played, too
         QVERIFY(!test::find<QLabel>("liveGamepad")->text().isEmpty());
         SDL_Joystick* stick = SDL_JoystickFromInstanceID(SDL_JoystickGetDeviceInstanceID(device));
         QVERIFY(stick != nullptr);
@@ -284,10 +285,13 @@ private slots:
         QCOMPARE(steering.values(), (SpacePoint{2, 60}));
         steering.advance({.axes = {-0.5, 0.25, 0}, .isAnalog = true}, 0.01);
         QCOMPARE(steering.values(), (SpacePoint{1.5, 30}));
-        // What the next space has in common stays.
+        // What the next space has in common stays, and comes back after spaces without it.
         steering.setParameters({{SpaceMeasure::JumpHeight, 0.1, 0.6}, {SpaceMeasure::Speed, 0, 1}});
         QCOMPARE(steering.values(), (SpacePoint{0.1, 1}));
-        QCOMPARE(steering.axisOf(1), SteeringAxis::Third);
+        QCOMPARE(steering.axisOf(1), SteeringAxis::Horizontal);
+        steering.setParameters({{SpaceMeasure::JumpHeight, 0.1, 0.6}});
+        steering.setParameters({{SpaceMeasure::Speed, 0, 3}});
+        QCOMPARE(steering.values(), (SpacePoint{1}));
     }
 };
 

@@ -37,11 +37,9 @@ void TakeGraphView::paintEvent(QPaintEvent* /*event*/)
             paintCount(painter, link);
         const QFontMetricsF metrics(font());
         painter.setPen(Theme::color(ColorRole::TextMuted));
-        //: what is counted in the overview of takes: the transitions of a graph
-        const QString title = tr("%1: transitions between takes").arg(m_title);
         painter.drawText(QRectF(chartGap, chartGap / 2, width() - 2 * chartGap, metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(title, Qt::ElideRight, width() - 2 * chartGap));
+                         metrics.elidedText(m_title, Qt::ElideRight, width() - 2 * chartGap));
     }
     if (hasFocus()) {
         painter.setPen(QPen(Theme::color(ColorRole::AccentText), 1.0));

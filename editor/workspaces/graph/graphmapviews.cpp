@@ -141,7 +141,8 @@ void GraphMap::showTakes()
     if (!graphs || !(graphs->isWhole || m_countsMotion)) // numbers of before are nearer than those of a part
         return;
     m_takes->setLinks(
-        m_countsMotion ? tr("Motion graph") : tr("Essential graph"),
+        m_countsMotion ? tr("Motion graph: transitions between takes")
+                       : tr("Essential graph: transitions between takes"),
         linksOf(m_countsMotion ? graphs->motion : graphs->essential, m_explorer.character()->graph.layout()));
     m_takesAreOld = false;
 }

@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/live/gamepad.h"
 
+#include <QElapsedTimer>
 #include <SDL2/SDL.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 
 namespace {
 
 constexpr double deadZone = 0.18; ///< of a stick's way
-constexpr int pollsBetweenSearches = 60;
+constexpr qint64 millisecondsBetweenSearches = 500;
 
 constexpr std::array watchedButtons{SDL_CONTROLLER_BUTTON_A, SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
                                     SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, SDL_CONTROLLER_BUTTON_START};
@@ -31,7 +33,7 @@ double deflectionOf(SDL_GameController* controller, SDL_GameControllerAxis axis)
 struct Gamepad::Private
 {
     bool isReady = false;
-    int polls = 0;
+    QElapsedTimer lastSearch;
     SDL_GameController* controller = nullptr;
     std::array<bool, watchedButtons.size()> isDown{};
 };
@@ -64,8 +66,9 @@ QString Gamepad::name() const
 
 void Gamepad::connectFirst()
 {
-    if (d->polls++ % pollsBetweenSearches != 0)
+    if (d->lastSearch.isValid() && d->lastSearch.elapsed() < millisecondsBetweenSearches)
         return;
+    d->lastSearch.start();
     for (int each = 0; each < SDL_NumJoysticks() && d->controller == nullptr; ++each) {
         if (SDL_IsGameController(each) == SDL_TRUE)
             d->controller = SDL_GameControllerOpen(each);
@@ -101,7 +104,6 @@ void Gamepad::poll()
         SDL_GameControllerClose(d->controller);
         d->controller = nullptr;
         d->isDown = {};
-        d->polls = 1;
         m_state = {};
         emit connectedChanged();
     }

@@ -6,6 +6,7 @@
 #include "editor/fields/actionbutton.h"
 #include "editor/fields/namebox.h"
 #include "editor/language/retranslate.h"
+#include "editor/workspaces/live/livepaths.h"
 #include "editor/workspaces/live/livesession.h"
 #include "widgets/theme/theme.h"
 
@@ -16,6 +17,7 @@
 #include <QProgressBar>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 namespace quadrille {
@@ -28,11 +30,13 @@ constexpr int liveFullProgress = 1000;
 
 } // namespace
 
-LiveBar::LiveBar(EditorContext& context, LiveSession& session, QWidget* parent)
+LiveBar::LiveBar(EditorContext& context, LiveSession& session, LivePaths& paths, QWidget* parent)
     : QWidget(parent)
     , m_context(context)
     , m_session(session)
+    , m_paths(paths)
     , m_names(new QComboBox)
+    , m_path(new QComboBox)
     , m_progress(new QProgressBar)
     , m_state(new QLabel)
 {
@@ -46,7 +50,9 @@ LiveBar::LiveBar(EditorContext& context, LiveSession& session, QWidget* parent)
     m_state->setObjectName(QStringLiteral("liveState"));
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_path->setObjectName(QStringLiteral("livePath"));
     fitToNames(*m_names);
+    fitToNames(*m_path);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(liveBarGap, liveBarGap / 2, liveBarGap, liveBarGap / 2);
     row->setSpacing(liveBarGap / 2);
@@ -56,6 +62,8 @@ LiveBar::LiveBar(EditorContext& context, LiveSession& session, QWidget* parent)
         row->addSpacing(liveBarGap);
     };
     add({"live.run", "live.record", "live.restart"});
+    row->addWidget(m_path);
+    row->addSpacing(liveBarGap);
     row->addWidget(m_names);
     add({"live.addSequence", "live.export"});
     row->addWidget(m_progress);
@@ -63,9 +71,15 @@ LiveBar::LiveBar(EditorContext& context, LiveSession& session, QWidget* parent)
     connect(m_names, &QComboBox::activated, this, [this] {
         m_context.selection.select({Section::Lives, m_names->currentText()});
     });
+    connect(m_path, &QComboBox::activated, this,
+            [this] { m_paths.choose(m_path->currentData().toString()); });
+    connect(&paths, &LivePaths::changed, this, &LiveBar::refreshPaths);
     connect(&context.document, &ProjectDocument::changed, this, &LiveBar::refresh);
     connect(&context.selection, &Selection::changed, this, &LiveBar::refresh);
-    connect(&session, &LiveSession::changed, this, &LiveBar::showState);
+    connect(&session, &LiveSession::changed, this, [this] {
+        refreshPaths();
+        showState();
+    });
     connect(&session, &LiveSession::ticked, this, &LiveBar::showState);
     retranslates(this, [this] { retranslate(); });
 }
@@ -82,6 +96,10 @@ void LiveBar::retranslate()
     m_names->setAccessibleName(tr("Recorded performances"));
     m_names->setToolTip(tr("Recorded performances; choosing one plays it again"));
     m_names->setPlaceholderText(tr("No recording"));
+    m_path->setAccessibleName(tr("Path to follow"));
+    m_path->setToolTip(tr("The path of an animation, which is followed around its obstacles from its "
+                          "beginning; whoever steers takes over"));
+    refreshPaths();
     refresh();
 }
 
@@ -95,6 +113,17 @@ void LiveBar::refresh()
     m_names->setCurrentIndex(current.section == Section::Lives ? m_names->findText(current.name) : -1);
     m_names->setEnabled(m_names->count() > 0);
     showState();
+}
+
+void LiveBar::refreshPaths()
+{
+    const QSignalBlocker blocker(m_path);
+    m_path->clear();
+    m_path->addItem(tr("By hand"), QString());
+    for (const QString& name : m_paths.names())
+        m_path->addItem(tr("Along “%1”").arg(name), name);
+    m_path->setCurrentIndex(std::max(0, m_path->findData(m_paths.chosen())));
+    m_path->setEnabled(m_session.isReady() && m_path->count() > 1);
 }
 
 void LiveBar::showState()

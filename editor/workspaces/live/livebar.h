@@ -10,6 +10,7 @@ class QProgressBar;
 
 namespace quadrille {
 
+class LivePaths;
 class LiveSession;
 struct EditorContext;
 
@@ -20,7 +21,7 @@ class LiveBar : public QWidget
 
 public:
     /// \pre The actions of the workspace are registered.
-    LiveBar(EditorContext& context, LiveSession& session, QWidget* parent = nullptr);
+    LiveBar(EditorContext& context, LiveSession& session, LivePaths& paths, QWidget* parent = nullptr);
 
     /// How far the motion spaces are. \param share  0 … 1; nothing is under way where it is negative.
     void showProgress(double share);
@@ -28,11 +29,14 @@ public:
 private:
     void retranslate();
     void refresh();
+    void refreshPaths();
     void showState();
 
     EditorContext& m_context;
     LiveSession& m_session;
+    LivePaths& m_paths;
     QComboBox* m_names;
+    QComboBox* m_path;
     QProgressBar* m_progress;
     QLabel* m_state;
 };

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/live/livekeys.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QWidget>
+#include <algorithm>
 #include <array>
 
 namespace quadrille {
@@ -47,11 +50,14 @@ bool isSteering(int key)
     return std::ranges::any_of(steeringKeys, [key](const SteeringKey& each) { return each.key == key; });
 }
 
+/// What has keys of its own.
 bool isField(const QWidget* widget)
 {
     return qobject_cast<const QLineEdit*>(widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
-           qobject_cast<const QComboBox*>(widget) != nullptr;
+           qobject_cast<const QComboBox*>(widget) != nullptr ||
+           qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
+           qobject_cast<const QAbstractSlider*>(widget) != nullptr;
 }
 
 } // namespace

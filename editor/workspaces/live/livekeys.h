@@ -13,7 +13,8 @@ class QWidget;
 namespace quadrille {
 
 /// Steers by keys while it is enabled: W, A, S, D and arrows, Page up and down for a third parameter, digits
-/// for spaces, J to jump, R for the responsive mode. Keys go to fields of forms, where one has the focus.
+/// for spaces, J to jump, R for the responsive mode. Fields, lists and sliders that have the focus keep
+/// theirs.
 class LiveKeys : public QObject
 {
     Q_OBJECT

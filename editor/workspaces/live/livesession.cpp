@@ -36,16 +36,33 @@ LiveSession::LiveSession(QObject* parent) : QObject(parent)
 
 LiveSession::~LiveSession() = default;
 
-void LiveSession::setGraph(OpenedLiveGraphPointer graph)
+bool LiveSession::plays(const OpenedLiveGraphPointer& graph) const
+{
+    if (graph == nullptr || m_graph == nullptr)
+        return false;
+    const LiveGraph& a = *graph->graph;
+    const LiveGraph& b = *m_graph->graph;
+    return graph->spaces == m_graph->spaces && a.spaces == b.spaces && a.tables == b.tables &&
+           a.fps == b.fps && graph->metresPerUnit == m_graph->metresPerUnit;
+}
+
+bool LiveSession::setGraph(OpenedLiveGraphPointer graph)
 {
     if (graph == m_graph)
-        return;
+        return true;
+    if (plays(graph)) {
+        m_graph = std::move(graph);
+        return true;
+    }
     m_timer.stop();
     m_graph = std::move(graph);
     m_player.reset();
+    m_follower.reset();
     m_recordedFrom.reset();
+    m_entry = {};
     m_inputs.clear();
     m_states.clear();
+    m_visits.clear();
     m_decisions.clear();
     if (m_graph != nullptr) {
         LiveStart start;
@@ -60,6 +77,7 @@ void LiveSession::setGraph(OpenedLiveGraphPointer graph)
     emit decided();
     emit changed();
     emit ticked();
+    return false;
 }
 
 void LiveSession::begin(const LiveStart& start, const LiveSettings& settings)
@@ -69,6 +87,7 @@ void LiveSession::begin(const LiveStart& start, const LiveSettings& settings)
     m_pose.resize(m_graph->graph->vertexCount());
     m_inputs.clear();
     m_states.assign(1, m_player->state());
+    m_visits.assign(1, {0, start.space});
     m_decisions.clear();
 }
 
@@ -89,8 +108,8 @@ void LiveSession::takeOver()
         return;
     m_inputs.resize(shown);
     m_states.resize(shown + 1);
-    std::erase_if(m_decisions,
-                  [shown](const LiveDecision& each) { return each.tick > static_cast<std::int64_t>(shown); });
+    std::erase_if(m_decisions, [this](const LiveDecision& each) { return each.tick > state().tick; });
+    std::erase_if(m_visits, [this](const Visit& each) { return each.first > state().tick; });
     if (m_recordedFrom && *m_recordedFrom > state().tick)
         m_recordedFrom = state().tick;
     emit decided();
@@ -113,6 +132,7 @@ void LiveSession::restart()
     begin(m_start, settings);
     m_wanted = m_start.space;
     followSpace();
+    m_followedTick = -1;
     emit decided();
     emit changed();
     emit ticked();
@@ -128,9 +148,17 @@ void LiveSession::want(int space)
     if (!isReady() || space < 0 || space >= static_cast<int>(m_graph->spaces.size()))
         return;
     takeOver();
+    leavePath();
     m_wanted = static_cast<std::size_t>(space);
     followSpace();
     emit changed();
+}
+
+void LiveSession::setParameter(std::size_t parameter, double value)
+{
+    takeOver();
+    leavePath();
+    m_steering.setValue(parameter, value);
 }
 
 void LiveSession::wantNext(int by)
@@ -192,19 +220,31 @@ void LiveSession::step()
         if (!isReplaying())
             pause();
     } else {
-        m_steering.advance(steered, tickSeconds());
-        tick({.space = m_wanted, .parameters = m_steering.values(), .isResponsive = m_isResponsive});
+        if (!steered.isIdle())
+            leavePath();
+        if (m_follower == nullptr) {
+            m_steering.advance(steered, tickSeconds());
+        } else if (!followOn()) {
+            pause();
+            return;
+        }
+        const std::size_t wanted = m_wanted;
+        if (tick({.space = m_wanted, .parameters = m_steering.values(), .isResponsive = m_isResponsive}))
+            emit decided();
+        if (m_wanted != wanted)
+            emit changed();
     }
     emit ticked();
 }
 
-void LiveSession::tick(const LiveInput& input)
+bool LiveSession::tick(const LiveInput& input)
 {
     if (m_inputs.empty() && (input.space != m_start.space || input.parameters != m_start.parameters)) {
         // It begins as it is wanted first: an entry of the project need not say that twice.
-        m_start.space = input.space;
-        m_start.parameters = input.parameters;
-        begin(LiveStart(m_start), LiveSettings(m_player->settings()));
+        LiveStart start = m_start;
+        start.space = input.space;
+        start.parameters = input.parameters;
+        begin(start, LiveSettings(m_player->settings()));
     }
     QElapsedTimer timer;
     timer.start();
@@ -213,17 +253,18 @@ void LiveSession::tick(const LiveInput& input)
     m_inputs.push_back(input);
     m_states.push_back(state());
     m_tickMilliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    if (state().decisions != before) {
-        m_decisions.push_back(m_player->decision());
-        emit decided();
-    }
+    const std::size_t played = state().track.space;
+    if (played != m_visits.back().space)
+        m_visits.push_back({state().tick, played});
     // What has no cycle is played once.
-    const auto& spaces = m_graph->graph->spaces;
-    if (!spaces[m_wanted]->isCyclic && state().track.space == m_wanted && state().home != m_wanted) {
+    if (!m_graph->graph->spaces[m_wanted]->isCyclic && played == m_wanted && state().home != m_wanted) {
         m_wanted = state().home;
         followSpace();
-        emit changed();
     }
+    if (state().decisions == before)
+        return false;
+    m_decisions.push_back(m_player->decision());
+    return true;
 }
 
 std::span<const float> LiveSession::pose()
@@ -236,7 +277,7 @@ std::span<const float> LiveSession::pose()
         for (Vec3f& position : m_pose)
             position *= units;
     }
-    m_tickMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    m_poseMilliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
     return {m_pose.front().data(), 3 * m_pose.size()};
 }
 
@@ -296,18 +337,6 @@ void LiveSession::startRecording()
     emit changed();
 }
 
-LiveEntry LiveSession::entry(std::int64_t from) const
-{
-    LiveEntry entry;
-    entry.spaces = m_graph->spaces;
-    entry.inputs = changesOf(m_inputs);
-    entry.ticks = tickCount();
-    entry.from = from;
-    const LiveSettings& settings = m_player->settings();
-    entry.ticksPerFrame = settings.ticksPerFrame;
-    return entry;
-}
-
 std::optional<LiveEntry> LiveSession::stopRecording()
 {
     if (!m_recordedFrom)
@@ -318,7 +347,12 @@ std::optional<LiveEntry> LiveSession::stopRecording()
     emit changed();
     if (tickCount() <= from)
         return std::nullopt;
-    return entry(from);
+    LiveEntry entry = m_entry;
+    entry.spaces = m_graph->spaces;
+    entry.inputs = changesOf(m_inputs);
+    entry.ticks = tickCount();
+    entry.from = from;
+    return entry;
 }
 
 bool LiveSession::load(const LiveEntry& entry, const CoordinateSystem& axes)
@@ -333,9 +367,11 @@ bool LiveSession::load(const LiveEntry& entry, const CoordinateSystem& axes)
         places.push_back(static_cast<std::size_t>(found - m_graph->spaces.begin()));
     }
     m_timer.stop();
+    m_follower.reset();
     m_recordedFrom.reset();
     LiveStart start = startOf(entry, axes);
     start.space = places.at(start.space);
+    m_entry = entry;
     begin(start, settingsOf(entry));
     for (LiveInput input : inputsOf(entry)) {
         input.space = places.at(input.space);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/workspaces/live/livesteering.h"
-#include "model/live/liveplayer.h"
+#include "model/live/livepath.h"
 #include "model/project/document/liveentry.h"
 #include "model/project/results/openlive.h"
 
@@ -30,9 +30,12 @@ public:
     explicit LiveSession(QObject* parent = nullptr);
     ~LiveSession() override;
 
-    /// Another one begins anew, in its first space; null ends.
-    void setGraph(OpenedLiveGraphPointer graph);
+    /// Another one begins anew, in its first space with a cycle; null ends. One of the same spaces goes on as
+    /// it is. \return whether it goes on.
+    bool setGraph(OpenedLiveGraphPointer graph);
     const OpenedLiveGraphPointer& graph() const { return m_graph; }
+    /// Whether one of these spaces is played.
+    bool plays(const OpenedLiveGraphPointer& graph) const;
     /// Whether there is something to play.
     bool isReady() const { return m_player != nullptr; }
     void setSteer(Steer steer) { m_steer = std::move(steer); }
@@ -51,7 +54,9 @@ public:
     /// One tick on, whatever the clock says.
     void step();
 
-    LiveSteering& steering() { return m_steering; }
+    const LiveSteering& steering() const { return m_steering; }
+    /// As by a slider. \pre The space that is wanted has such a parameter.
+    void setParameter(std::size_t parameter, double value);
     /// The space that is wanted; −1 without any.
     int wantedSpace() const { return isReady() ? static_cast<int>(m_wanted) : -1; }
     /// \param space  without a cycle: it is played once.
@@ -63,6 +68,12 @@ public:
     bool isResponsive() const { return m_isResponsive; }
     void setResponsive(bool responsive);
 
+    /// Begins anew at the beginning of a path, which it follows as it plays, until its end or until somebody
+    /// steers; nothing: goes on by hand. \pre isReady() \throws Error as LivePathFollower.
+    void followPath(const std::optional<PathConstraint>& path);
+    /// Null where it is steered by hand.
+    const LivePathFollower* follower() const { return m_follower.get(); }
+
     /// What is shown. \pre isReady(), so for all below.
     const LiveState& state() const { return m_player->state(); }
     LiveProvenance provenance() const { return m_player->provenance(); }
@@ -72,21 +83,33 @@ public:
     /// Ticks that were played; any can be shown.
     std::int64_t tickCount() const { return static_cast<std::int64_t>(m_inputs.size()); }
     const LiveState& stateAt(std::int64_t tick) const { return m_states[static_cast<std::size_t>(tick)]; }
+    /// A space that is played from a tick on.
+    struct Visit
+    {
+        std::int64_t first = 0;
+        std::size_t space = 0;
+    };
+    /// In their order; the first is at tick 0.
+    const std::vector<Visit>& visits() const { return m_visits; }
     const std::vector<LiveDecision>& decisions() const { return m_decisions; }
+    /// Of a transition, from the wish on, seconds.
+    double latencyOf(const LiveDecision& decision) const
+    {
+        const int perFrame = m_player->settings().ticksPerFrame;
+        return decision.latencyFrames(perFrame) * perFrame * tickSeconds();
+    }
     /// Pauses and shows a tick; kept within those there are.
     void goTo(std::int64_t tick);
     /// How fast it goes over the ground, and turns to the left, over the last half second: m/s, degrees/s.
     std::pair<double, double> measuredMotion() const;
-    /// What the last tick with its pose took, milliseconds.
-    double tickMilliseconds() const { return m_tickMilliseconds; }
+    /// What the last tick and the last pose took together, milliseconds.
+    double tickMilliseconds() const { return m_tickMilliseconds + m_poseMilliseconds; }
 
     bool isRecording() const { return m_recordedFrom.has_value(); }
     /// Records from the tick that is shown, and runs.
     void startRecording();
     /// Ends it. \return the performance, without a name; nothing where it has no frame.
     std::optional<LiveEntry> stopRecording();
-    /// All that was played. \pre isReady().
-    LiveEntry entry(std::int64_t from) const;
     /// Plays an entry anew, at once, and shows its first frame. \pre The graph has its spaces.
     /// \return whether that is so.
     bool load(const LiveEntry& entry, const CoordinateSystem& axes);
@@ -101,14 +124,20 @@ signals:
 
 private:
     void begin(const LiveStart& start, const LiveSettings& settings);
-    void tick(const LiveInput& input);
+    /// Plays on, and keeps it. \return whether a transition was found.
+    bool tick(const LiveInput& input);
     void catchUp();
     void followSpace();
     /// What was wanted at the tick that is shown is wanted again.
     void wantAsThen();
+    /// Wants what the path does. \return false at its end.
+    bool followOn();
+    void leavePath();
 
     OpenedLiveGraphPointer m_graph;
     std::unique_ptr<LivePlayer> m_player;
+    std::unique_ptr<LivePathFollower> m_follower;
+    std::int64_t m_followedTick = 0; ///< the last that the follower saw
     LiveStart m_start;
     Steer m_steer;
     LiveSteering m_steering;
@@ -116,13 +145,16 @@ private:
     bool m_isResponsive = false;
     std::vector<LiveInput> m_inputs;
     std::vector<LiveState> m_states; ///< one more: before the first tick
+    std::vector<Visit> m_visits;
     std::vector<LiveDecision> m_decisions;
+    LiveEntry m_entry; ///< what a recording has besides what is wanted: of the performance that plays again
     std::optional<std::int64_t> m_recordedFrom;
     std::vector<Vec3f> m_pose;
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_due = 0; ///< seconds that are not played yet
     double m_tickMilliseconds = 0;
+    double m_poseMilliseconds = 0;
 };
 
 } // namespace quadrille

@@ -21,8 +21,9 @@ bool isSideways(SpaceMeasure measure)
 
 void LiveSteering::setParameters(std::vector<SteeredParameter> parameters)
 {
-    const std::vector<SteeredParameter> before = std::exchange(m_parameters, std::move(parameters));
-    const SpacePoint old = m_values;
+    for (std::size_t p = 0; p < m_parameters.size(); ++p)
+        m_known[m_parameters[p].measure] = m_values.at(p);
+    m_parameters = std::move(parameters);
     m_axes.clear();
     m_values = {};
     m_isHeld = {};
@@ -30,16 +31,13 @@ void LiveSteering::setParameters(std::vector<SteeredParameter> parameters)
     for (std::size_t p = 0; p < m_parameters.size(); ++p) {
         const SteeredParameter& each = m_parameters[p];
         std::size_t axis = isSideways(each.measure) ? 0 : 1;
-        while (isTaken[axis])
-            axis = (axis + 1) % isTaken.size();
+        if (isTaken[axis])
+            axis = static_cast<std::size_t>(std::ranges::find(isTaken, false) - isTaken.begin());
         isTaken[axis] = true;
         m_axes.push_back(static_cast<SteeringAxis>(axis));
-        const auto same =
-            std::ranges::find_if(before, [&each](const auto& b) { return b.measure == each.measure; });
-        const double first = returns(p) ? 0 : each.least;
-        const double value =
-            same == before.end() ? first : old.at(static_cast<std::size_t>(same - before.begin()));
-        m_values.at(p) = std::clamp(value, each.least, each.greatest);
+        const auto known = m_known.find(each.measure);
+        const double first = known == m_known.end() ? each.least : known->second;
+        m_values.at(p) = std::clamp(returns(p) ? 0 : first, each.least, each.greatest);
     }
 }
 

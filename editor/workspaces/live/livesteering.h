@@ -5,8 +5,7 @@
 #include "model/parametric/parameters.h"
 
 #include <array>
-#include <optional>
-#include <span>
+#include <map>
 #include <vector>
 
 namespace quadrille {
@@ -46,7 +45,8 @@ struct SteeredParameter
 class LiveSteering
 {
 public:
-    /// Another space: values that its parameters have in common with the last one, by measure, stay.
+    /// Another space: what its parameters measure keeps the value that it had last, whatever was steered
+    /// since; what goes back by itself begins in the middle.
     void setParameters(std::vector<SteeredParameter> parameters);
     const std::vector<SteeredParameter>& parameters() const { return m_parameters; }
 
@@ -69,7 +69,8 @@ private:
     std::vector<SteeredParameter> m_parameters;
     std::vector<SteeringAxis> m_axes;
     SpacePoint m_values{};
-    std::array<bool, 3> m_isHeld{}; ///< set by a slider
+    std::map<SpaceMeasure, double> m_known; ///< values of spaces before
+    std::array<bool, 3> m_isHeld{};         ///< set by a slider
     bool m_wasAnalog = false;
 };
 

@@ -7,14 +7,17 @@
 #include "editor/context/editorcontext.h"
 #include "editor/errors/errortext.h"
 #include "editor/language/retranslate.h"
+#include "editor/pictures/framepictures.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livebar.h"
 #include "editor/workspaces/live/livekeys.h"
+#include "editor/workspaces/live/livepaths.h"
 #include "editor/workspaces/live/livesession.h"
 #include "editor/workspaces/live/rewindpanel.h"
 #include "editor/workspaces/live/steeringpanel.h"
 #include "model/project/document/findentry.h"
 #include "widgets/controls/messagestrip.h"
+#include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
 #include "widgets/timeline/playbackbar.h"
 
@@ -37,10 +40,12 @@ LiveWorkspace::LiveWorkspace(EditorContext& context, QWidget* parent)
     , m_session(new LiveSession(this))
     , m_keys(new LiveKeys(*this))
     , m_gamepad(new Gamepad(this))
+    , m_paths(new LivePaths(context, *m_session, m_view->viewport(), this))
+    , m_pictures(new FramePictures(context.document, context.media, context.jobs, this))
 {
     setObjectName(QStringLiteral("liveWorkspace"));
     makeActions();
-    m_bar = new LiveBar(context, *m_session);
+    m_bar = new LiveBar(context, *m_session, *m_paths);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -49,7 +54,15 @@ LiveWorkspace::LiveWorkspace(EditorContext& context, QWidget* parent)
     makePanels();
     connectSession();
     connectView();
-    connect(&context.document, &ProjectDocument::changed, this, &LiveWorkspace::follow);
+    connect(&context.document, &ProjectDocument::changed, this, [this](const ChangeEvent& event) {
+        if (event.kind == ChangeEvent::Kind::Reset)
+            m_session->setGraph(nullptr); // what was played is of another project
+        follow();
+    });
+    connect(&context.document, &ProjectDocument::renamed, this, [this](const ChangeEvent& event) {
+        if (event.entry.section == Section::Lives && event.before == m_loaded)
+            m_loaded = event.entry.name;
+    });
     connect(&context.selection, &Selection::changed, this, &LiveWorkspace::followSelection);
     connect(&context.liveGraphs, &LiveGraphResults::changed, this, &LiveWorkspace::followGraph);
     retranslates(this, [this] { showState(); });
@@ -62,65 +75,18 @@ QString LiveWorkspace::figureName()
 
 ClipScene::Source LiveWorkspace::source()
 {
-    return {
-        .clip = [this](const QString& /*name*/, bool) { return m_session->isReady() ? &m_still : nullptr; },
-        .upAxis = [this] { return m_context.media.upAxis(); },
-        .drawsWay = false,
-        .section = Section::Lives};
-}
-
-void LiveWorkspace::makeActions()
-{
-    const auto group = [] { return tr("Live"); };
-    ActionRegistry& actions = m_context.actions;
-    actions.add({"live.run",
-                 group,
-                 [] { return tr("&Play live, or pause"); },
-                 [] { return tr("Plays the motion spaces as they are steered, or pauses"); },
-                 "play",
-                 {}},
-                [this] { toggle(); });
-    QAction* record = actions.addToggle(
-        {"live.record",
-         group,
-         [] { return tr("&Record"); },
-         [] {
-             return tr("Records what is steered, until it is pressed again: a performance of the project");
-         },
-         "disc",
-         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R)}},
-        false, [this](bool on) {
-            if (on != m_session->isRecording())
-                toggleRecording();
-        });
-    connect(m_session, &LiveSession::changed, record,
-            [this, record] { record->setChecked(m_session->isRecording()); });
-    actions.add({"live.restart",
-                 group,
-                 [] { return tr("&Begin anew"); },
-                 [] { return tr("Forgets what was played, and begins where it began"); },
-                 "first",
-                 {}},
-                [this] { m_session->restart(); });
-    actions.add({"live.addSequence",
-                 group,
-                 [] { return tr("&Add as a take"); },
-                 [] { return tr("Adds the recorded clip to the takes: for graphs, animations, variations"); },
-                 "sequence",
-                 {}},
-                [this] { addSequence(); });
-    actions.add({"live.export",
-                 group,
-                 [] { return tr("E&xport the clip…"); },
-                 [] { return tr("Writes the recorded clip into files"); },
-                 "export",
-                 {}},
-                [this] { emit exportRequested(QStringLiteral("live/") + m_loaded); });
+    return {.clip = [this](const QString& /*name*/,
+                           bool) { return m_session->isReady() ? &m_session->graph()->look : nullptr; },
+            .upAxis = [this] { return m_context.media.upAxis(); },
+            .drawsWay = false,
+            .section = Section::Lives};
 }
 
 void LiveWorkspace::makePanels()
 {
-    m_steering = new SteeringPanel(*m_session, *m_gamepad);
+    m_steering =
+        new SteeringPanel(*m_session, *m_gamepad, [this](const QString& space) { return pictureOf(space); });
+    connect(m_pictures, &FramePictures::drawn, m_steering, &SteeringPanel::showPictures);
     m_panels.push_back({"steeringDock", [] { return tr("Steering"); }, m_steering});
     Panel rewind{"rewindDock", [] { return tr("Rewind"); }, new RewindPanel(*m_session)};
     rewind.isLower = true;
@@ -140,10 +106,19 @@ void LiveWorkspace::connectSession()
         showTimeline();
     });
     connect(m_session, &LiveSession::decided, this, &LiveWorkspace::showTimeline);
+    connect(m_paths, &LivePaths::failed, this, [this](const Error& error) {
+        const ErrorText text = describe(error);
+        m_help.clear();
+        m_view->message().show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
+    });
     connect(m_keys, &LiveKeys::spacePressed, m_session, &LiveSession::want);
     connect(m_keys, &LiveKeys::jumpPressed, m_session, &LiveSession::jump);
     connect(m_keys, &LiveKeys::responsivePressed, this,
             [this] { m_session->setResponsive(!m_session->isResponsive()); });
+    // A session that runs polls with each tick.
+    constexpr int millisecondsBetweenPolls = 100;
+    m_gamepadPolls.setInterval(millisecondsBetweenPolls);
+    connect(&m_gamepadPolls, &QTimer::timeout, m_gamepad, &Gamepad::poll);
     connect(m_gamepad, &Gamepad::jumpPressed, m_session, &LiveSession::jump);
     connect(m_gamepad, &Gamepad::spacePressed, m_session, &LiveSession::wantNext);
     connect(m_gamepad, &Gamepad::recordPressed, this, &LiveWorkspace::toggleRecording);
@@ -160,7 +135,6 @@ void LiveWorkspace::connectView()
 {
     m_view->setUsualUnit(widgets::Timeline::Unit::Seconds);
     // The session plays, not the player of clips.
-    m_playback = m_view->findChild<widgets::PlaybackBar*>();
     connect(&player(), &Player::playingChanged, this, [this](bool isPlaying) {
         if (!isPlaying)
             return;
@@ -168,6 +142,15 @@ void LiveWorkspace::connectView()
         toggle();
     });
     connect(&m_view->timeline(), &widgets::Timeline::frameScrubbed, m_session, &LiveSession::goTo);
+    using widgets::PlaybackBar;
+    const PlaybackBar* bar = &m_view->playback();
+    connect(bar, &PlaybackBar::frameEntered, m_session, &LiveSession::goTo);
+    connect(bar, &PlaybackBar::firstRequested, m_session, [this] { m_session->goTo(0); });
+    connect(bar, &PlaybackBar::lastRequested, m_session, [this] { m_session->goTo(m_session->tickCount()); });
+    connect(bar, &PlaybackBar::stepRequested, m_session, [this](int ticks) {
+        if (m_session->isReady())
+            m_session->goTo(m_session->state().tick + ticks);
+    });
     connect(m_view, &SceneView::sceneChanged, this, &LiveWorkspace::showTimeline);
     connect(&scene(), &ClipScene::frameShown, this, &LiveWorkspace::showPose);
     connect(&viewport(), &widgets::Viewport::rendered, m_steering, &SteeringPanel::setPictureTime);
@@ -198,7 +181,9 @@ QString LiveWorkspace::character() const
 void LiveWorkspace::setActive(bool active)
 {
     m_isActive = active;
-    if (!active)
+    if (active)
+        window()->installEventFilter(this); // once, however often
+    else
         m_session->pause();
     follow();
     followRunning();
@@ -225,13 +210,16 @@ void LiveWorkspace::followGraph()
     const LiveGraphResults::State* state = m_context.liveGraphs.resultState(character());
     const OpenedLiveGraphPointer graph = state == nullptr ? nullptr : state->graph;
     if (graph != m_session->graph()) {
-        m_loaded.clear();
-        m_session->setGraph(graph);
-        if (graph != nullptr)
-            m_still = graph->takes.front().front().cutTo({FrameIndex(0), FrameIndex(0)});
-        m_view->show(QStringList());
-        if (graph != nullptr)
+        if (!m_session->plays(graph))
+            finishRecording();
+        if (!m_session->setGraph(graph)) {
+            m_loaded.clear();
+            m_view->show(QStringList());
+        }
+        if (graph != nullptr) {
             m_view->show({figureName()});
+            scene().update(figureName());
+        }
         followSelection();
     }
     const bool isComputed = state != nullptr && state->phase == ResultPhase::Computing;
@@ -255,7 +243,8 @@ void LiveWorkspace::followSelection()
     const LiveEntry* entry = current.section == Section::Lives
                                  ? findLive(m_context.document.project(), current.name.toStdString())
                                  : nullptr;
-    if (entry != nullptr && current.name != m_loaded && m_session->graph() != nullptr) {
+    if (entry != nullptr && current.name != m_loaded && m_session->graph() != nullptr &&
+        !m_session->isRecording()) {
         m_loaded = current.name;
         m_session->load(*entry, m_context.document.project().settings.axes);
     }
@@ -266,8 +255,16 @@ void LiveWorkspace::followSelection()
 
 void LiveWorkspace::followRunning()
 {
-    m_keys->setEnabled(m_isActive && m_session->isReady());
+    m_keys->setEnabled(m_isActive && m_session->isRunning());
+    if (m_isActive && m_session->isReady() && !m_session->isRunning())
+        m_gamepadPolls.start();
+    else
+        m_gamepadPolls.stop();
     viewport().setMoving(m_session->isRunning());
+    m_view->playback().setPlaying(m_session->isRunning());
+    m_context.actions.action(QStringLiteral("live.run"))
+        ->setIcon(
+            widgets::icons::icon(m_session->isRunning() ? QStringLiteral("pause") : QStringLiteral("play")));
     for (const char* id : {"live.run", "live.record", "live.restart"})
         m_context.actions.action(QLatin1String(id))->setEnabled(m_session->isReady());
     if (m_session->isRunning())
@@ -275,46 +272,33 @@ void LiveWorkspace::followRunning()
     showTimeline();
 }
 
-void LiveWorkspace::toggle()
+bool LiveWorkspace::eventFilter(QObject* watched, QEvent* event)
 {
-    if (m_session->isRunning())
-        m_session->pause();
-    else
-        m_session->run();
+    if (event->type() == QEvent::Close && watched == window())
+        finishRecording();
+    return Workspace::eventFilter(watched, event);
 }
 
-void LiveWorkspace::toggleRecording()
+QImage LiveWorkspace::pictureOf(const QString& space)
 {
-    if (!m_session->isRecording()) {
-        m_session->startRecording();
-        return;
-    }
-    if (std::optional<LiveEntry> entry = m_session->stopRecording()) {
-        entry->name = tr("performance").toStdString();
-        m_context.selection.select({Section::Lives, addLive(m_context.document, std::move(*entry))});
-    }
-}
-
-void LiveWorkspace::addSequence()
-{
-    const Project& project = m_context.document.project();
-    const LiveEntry* live = findLive(project, m_loaded.toStdString());
-    if (live == nullptr)
-        return;
-    SequenceEntry sequence;
-    sequence.name = live->name;
-    sequence.source = "clip:live/" + live->name;
-    sequence.character = project.characters.size() > 1 ? characterNameOf(project, *live) : std::string();
-    std::vector<SequenceEntry> added;
-    added.push_back(std::move(sequence));
-    addSequences(m_context.document, std::move(added));
+    const MotionSpaceEntry* entry = findMotionSpace(m_context.document.project(), space.toStdString());
+    if (entry == nullptr || entry->takes.empty())
+        return {};
+    const QString take = QString::fromStdString(entry->takes.front().sequence);
+    const MeshSequence* sequence = m_context.media.sequence(take);
+    return sequence == nullptr ? QImage() : m_pictures->picture(take, FrameIndex(sequence->frameCount() / 2));
 }
 
 void LiveWorkspace::showPose()
 {
     const int figure = scene().figureOf(figureName());
-    if (m_session->isReady() && figure >= 0)
-        viewport().setPositions(figure, m_session->pose());
+    if (!m_session->isReady() || figure < 0)
+        return;
+    viewport().setPositions(figure, m_session->pose());
+    // Its texture is that of the captured frame, which comes as soon as it is read.
+    const FrameIndex look = m_session->graph()->lookOf(m_session->provenance());
+    if (look != scene().comingFrame())
+        scene().showFrame(look, 1);
 }
 
 void LiveWorkspace::showTimeline()
@@ -331,20 +315,17 @@ void LiveWorkspace::showTimeline()
         m_shownTicks = ticks;
         timeline.setFps(1 / m_session->tickSeconds());
         timeline.setFrameCount(ticks + 1);
-        m_playback->setFps(1 / m_session->tickSeconds());
-        m_playback->setFrameCount(ticks + 1);
+        m_view->playback().setFps(1 / m_session->tickSeconds());
+        m_view->playback().setFrameCount(ticks + 1);
         widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
-        for (int tick = 0; tick <= ticks; ++tick) {
-            const auto space = static_cast<int>(m_session->stateAt(tick).track.space);
-            const QString name =
-                QString::fromStdString(m_session->graph()->spaces[static_cast<std::size_t>(space)]);
-            if (track.spans.empty() || track.spans.back().text != name)
-                track.spans.push_back({.id = static_cast<int>(track.spans.size()),
-                                       .first = tick,
-                                       .last = tick,
-                                       .text = name,
-                                       .color = widgets::Theme::categorical(space)});
-            track.spans.back().last = tick;
+        for (const LiveSession::Visit& visit : m_session->visits()) {
+            if (!track.spans.empty())
+                track.spans.back().last = static_cast<int>(visit.first) - 1;
+            track.spans.push_back({.id = static_cast<int>(track.spans.size()),
+                                   .first = static_cast<int>(visit.first),
+                                   .last = ticks,
+                                   .text = QString::fromStdString(m_session->graph()->spaces[visit.space]),
+                                   .color = widgets::Theme::categorical(static_cast<int>(visit.space))});
         }
         timeline.setTracks({std::move(track)});
     }
@@ -365,11 +346,11 @@ void LiveWorkspace::showState()
         message.show(Kind::Info,
                      tr("Here takes of one kind become a movement that you steer: walks by their speed."),
                      tr("Select some takes and make a motion space of them."));
+        m_help = QStringLiteral("motionSpaces.new");
+        message.setAction(tr("New motion space"));
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);
-        message.show(Kind::Error,
-                     text.where.isEmpty() ? text.sentence : tr("%1 (%2)").arg(text.sentence, text.where),
-                     text.remedy);
+        message.show(Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else {
         message.clear();

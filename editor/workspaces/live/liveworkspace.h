@@ -5,19 +5,18 @@
 #include "editor/workspaces/workspace.h"
 
 #include <QPointer>
+#include <QTimer>
 
 namespace quadrille {
 
+class FramePictures;
 class Gamepad;
 class Job;
 class LiveBar;
 class LiveKeys;
+class LivePaths;
 class LiveSession;
 class SteeringPanel;
-
-namespace widgets {
-class PlaybackBar;
-}
 
 /// The workspace in which motion spaces are steered live: by keys, gamepad and sliders. Every tick can be
 /// gone back to, and what was steered becomes a performance of the project.
@@ -37,6 +36,10 @@ public:
     /// What the figure is called in the view.
     static QString figureName();
 
+protected:
+    /// What is being recorded is kept when the window is closed.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 signals:
     /// The user wants a performance in files: "live/NAME".
     void exportRequested(const QString& clip);
@@ -55,9 +58,13 @@ private:
     void followRunning();
     void showState();
     void showPose();
+    /// Its first take in the middle; null until it is drawn.
+    QImage pictureOf(const QString& space);
     void showTimeline();
     void toggle();
     void toggleRecording();
+    /// Keeps what is being recorded, if anything is.
+    void finishRecording();
     void addSequence();
 
     EditorContext& m_context;
@@ -65,15 +72,16 @@ private:
     LiveSession* m_session;
     LiveKeys* m_keys;
     Gamepad* m_gamepad;
+    LivePaths* m_paths;
+    FramePictures* m_pictures;
     LiveBar* m_bar = nullptr;
     SteeringPanel* m_steering = nullptr;
     std::vector<Panel> m_panels;
-    MeshSequence m_still; ///< that the figure is made of
-    QString m_loaded;     ///< the performance that is played again
-    widgets::PlaybackBar* m_playback = nullptr;
+    QString m_loaded;    ///< the performance that is played again
     QPointer<Job> m_job; ///< whose progress is followed
     QString m_help;      ///< the action behind the message's button
     int m_shownTicks = 0;
+    QTimer m_gamepadPolls; ///< while nothing is played
     bool m_isActive = false;
 };
 

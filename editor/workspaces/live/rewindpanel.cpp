@@ -63,6 +63,9 @@ void RewindPanel::retranslate()
     m_tree->setAccessibleName(tr("Transitions that were made"));
     m_tree->setHeaderLabels(
         {tr("When"), tr("Transition"), tr("Latency"), tr("Unlikeness"), tr("Waiting"), tr("Cost")});
+    m_tree->headerItem()->setToolTip(
+        LatencyColumn, tr("From the wish until the target is where it is wanted; of a single way "
+                          "from when it was looked for"));
     m_tree->headerItem()->setToolTip(UnlikeColumn, tr("Dissimilarity of the poses that meet, 0 to 1000"));
     m_tree->headerItem()->setToolTip(WaitingColumn, tr("What the latency costs"));
     m_hint->setText(tr("Transitions show here as they are made. Choose one to go back to it: Space "
@@ -81,8 +84,7 @@ void RewindPanel::refresh()
         return;
     }
     const double fps = m_session.graph()->graph->fps;
-    const auto fill = [&](QTreeWidgetItem* item, const TransitionChoice& choice) {
-        const double seconds = (choice.sourceFrames + choice.targetFrames) / fps;
+    const auto fill = [](QTreeWidgetItem* item, const TransitionChoice& choice, double seconds) {
         item->setText(LatencyColumn, tr("%1 s").arg(rounded(seconds, 2)));
         item->setText(UnlikeColumn, rounded(choice.dissimilarity, 0));
         item->setText(WaitingColumn, rounded(choice.latencyCost, 0));
@@ -107,7 +109,7 @@ void RewindPanel::refresh()
         item->setText(WhatColumn,
                       tr("%1 → %2").arg(QString::fromStdString(m_session.graph()->spaces[decision.source]),
                                         QString::fromStdString(m_session.graph()->spaces[decision.target])));
-        fill(item, decision.choices[0]);
+        fill(item, decision.choices[0], m_session.latencyOf(decision));
         const TransitionChoice* goingOn = decision.goingOn();
         for (std::size_t c = 0; c < decision.count; ++c) {
             const TransitionChoice& choice = decision.choices.at(c);
@@ -119,7 +121,7 @@ void RewindPanel::refresh()
             else if (&choice == goingOn)
                 text = tr("%1 (going on)").arg(text);
             child->setText(WhatColumn, text);
-            fill(child, choice);
+            fill(child, choice, (choice.sourceFrames + choice.targetFrames) / fps);
         }
     }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "editor/workspaces/live/steeringpanel.h"
 
+#include "editor/fields/measuretext.h"
+#include "editor/fields/spacemap.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesession.h"
@@ -24,34 +26,18 @@ namespace quadrille {
 namespace {
 
 constexpr int sliderSteps = 1000;
-
-QString unitOf(SpaceMeasure measure)
-{
-    switch (measure) {
-    case SpaceMeasure::Speed:
-        return QStringLiteral("m/s");
-    case SpaceMeasure::Turning:
-        return QStringLiteral("°/s");
-    case SpaceMeasure::ByHand:
-        return {};
-    default:
-        return QStringLiteral("m");
-    }
-}
-
-QString withUnit(double value, SpaceMeasure measure)
-{
-    const int digits = measure == SpaceMeasure::Turning ? 0 : 2;
-    return (QLocale().toString(value, 'f', digits) + QLatin1Char(' ') + unitOf(measure)).trimmed();
-}
+constexpr std::int64_t ticksBetweenReadouts = 10;
 
 } // namespace
 
-SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidget* parent)
+SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, SpacePicture picture,
+                             QWidget* parent)
     : QWidget(parent)
     , m_session(session)
     , m_gamepad(gamepad)
+    , m_picture(std::move(picture))
     , m_graph(new widgets::TakeGraphView)
+    , m_map(new SpaceMap)
     , m_form(new QFormLayout)
     , m_responsive(new QCheckBox)
     , m_keys(new QLabel)
@@ -70,6 +56,7 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidg
     makeRows();
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_graph, 1);
+    column->addWidget(m_map);
     column->addLayout(m_form);
     column->addWidget(m_responsive);
     column->addWidget(m_readout);
@@ -80,6 +67,12 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidg
             m_session.want(nodes.back());
         showGraph();
     });
+    m_map->setEditable(true);
+    connect(m_map, &SpaceMap::wanted, this, [this](const SpacePoint& parameters) {
+        for (std::size_t p = 0; p < m_session.steering().parameters().size(); ++p)
+            m_session.setParameter(p, parameters.at(p));
+        showValues();
+    });
     connect(m_responsive, &QCheckBox::toggled, &m_session, &LiveSession::setResponsive);
     connect(&m_session, &LiveSession::changed, this, [this] {
         showGraph();
@@ -89,7 +82,9 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidg
     connect(&m_session, &LiveSession::decided, this, &SteeringPanel::showGraph);
     connect(&m_session, &LiveSession::ticked, this, [this] {
         showValues();
-        showReadout();
+        // Numbers that change with every picture cannot be read.
+        if (!m_session.isRunning() || m_session.state().tick % ticksBetweenReadouts == 0)
+            showReadout();
     });
     connect(&m_gamepad, &Gamepad::connectedChanged, this, &SteeringPanel::showReadout);
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &SteeringPanel::showGraph);
@@ -112,7 +107,7 @@ void SteeringPanel::makeRows()
         m_form->addRow(row.name, line);
         connect(row.slider, &QSlider::valueChanged, this, [this, p](int value) {
             const SteeredParameter& steered = m_session.steering().parameters()[p];
-            m_session.steering().setValue(
+            m_session.setParameter(
                 p, std::lerp(steered.least, steered.greatest, static_cast<double>(value) / sliderSteps));
             showValues();
         });
@@ -148,8 +143,19 @@ void SteeringPanel::showGraph()
             links.push_back({ends.first, ends.second, count});
     }
     m_graph->setNodes(std::move(nodes));
-    m_graph->setLinks(tr("Transitions"), std::move(links));
+    m_graph->setLinks(tr("Transitions that were made"), std::move(links));
+    showPictures();
     m_graph->setChosen(m_session.isReady() ? std::vector{m_session.wantedSpace()} : std::vector<int>());
+}
+
+void SteeringPanel::showPictures()
+{
+    std::vector<QImage> pictures;
+    if (m_session.isReady()) {
+        for (const std::string& space : m_session.graph()->spaces)
+            pictures.push_back(m_picture(QString::fromStdString(space)));
+    }
+    m_graph->setPictures(pictures);
 }
 
 void SteeringPanel::showParameters()
@@ -158,6 +164,10 @@ void SteeringPanel::showParameters()
     m_responsive->setChecked(m_session.isResponsive());
     m_responsive->setEnabled(m_session.isReady());
     const std::size_t count = m_session.isReady() ? m_session.steering().parameters().size() : 0;
+    m_map->setSpace(count > 0
+                        ? m_session.graph()->graph->spaces[static_cast<std::size_t>(m_session.wantedSpace())]
+                        : nullptr);
+    m_map->setVisible(count > 0);
     for (std::size_t p = 0; p < m_rows.size(); ++p) {
         const bool isShown = p < count;
         m_form->setRowVisible(static_cast<int>(p), isShown);
@@ -182,8 +192,11 @@ void SteeringPanel::showValues()
         const QSignalBlocker blocker(m_rows[p].slider);
         if (!m_rows[p].slider->isSliderDown())
             m_rows[p].slider->setValue(static_cast<int>(std::lround(share * sliderSteps)));
-        m_rows[p].value->setText(withUnit(value, steered.measure));
+        m_rows[p].value->setText(measureText(value, steered.measure));
     }
+    const LiveTrack& track = m_session.state().track;
+    const bool isPlayed = static_cast<int>(track.space) == m_session.wantedSpace();
+    m_map->setPlayed(isPlayed ? std::optional(track.place) : std::nullopt);
 }
 
 void SteeringPanel::showReadout()
@@ -204,14 +217,13 @@ void SteeringPanel::showReadout()
                  ? tr("%1, soon %2").arg(nameOf(state.track.space), nameOf(state.target))
                  : nameOf(state.track.space);
     lines += tr("Measured: %1, %2")
-                 .arg(withUnit(speed, SpaceMeasure::Speed), withUnit(turning, SpaceMeasure::Turning));
+                 .arg(measureText(speed, SpaceMeasure::Speed), measureText(turning, SpaceMeasure::Turning));
     if (!m_session.decisions().empty()) {
         const LiveDecision& last = m_session.decisions().back();
         const TransitionChoice& choice = last.choices[0];
-        const double seconds = (choice.sourceFrames + choice.targetFrames) / m_session.graph()->graph->fps;
-        lines +=
-            tr("Last transition: %1 s, dissimilarity %2 of 1000")
-                .arg(QLocale().toString(seconds, 'f', 2), QLocale().toString(choice.dissimilarity, 'f', 0));
+        lines += tr("Last transition: %1 s, dissimilarity %2 of 1000")
+                     .arg(QLocale().toString(m_session.latencyOf(last), 'f', 2),
+                          QLocale().toString(choice.dissimilarity, 'f', 0));
     }
     lines += tr("Tick %1 ms, picture %2 ms")
                  .arg(QLocale().toString(m_session.tickMilliseconds(), 'f', 2),

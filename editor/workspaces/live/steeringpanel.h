@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QImage>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 class QCheckBox;
@@ -14,6 +16,7 @@ namespace quadrille {
 
 class Gamepad;
 class LiveSession;
+class SpaceMap;
 
 namespace widgets {
 class TakeGraphView;
@@ -26,8 +29,15 @@ class SteeringPanel : public QWidget
     Q_OBJECT
 
 public:
+    /// A picture of a motion space; null until there is one.
+    using SpacePicture = std::function<QImage(const QString& space)>;
+
     /// Refers to session and gamepad.
-    SteeringPanel(LiveSession& session, const Gamepad& gamepad, QWidget* parent = nullptr);
+    SteeringPanel(LiveSession& session, const Gamepad& gamepad, SpacePicture picture,
+                  QWidget* parent = nullptr);
+
+    /// There are other pictures.
+    void showPictures();
 
     /// Milliseconds that the last picture took, for the readout.
     void setPictureTime(double milliseconds) { m_pictureMilliseconds = milliseconds; }
@@ -49,7 +59,9 @@ private:
 
     LiveSession& m_session;
     const Gamepad& m_gamepad;
+    SpacePicture m_picture;
     widgets::TakeGraphView* m_graph;
+    SpaceMap* m_map;
     QFormLayout* m_form;
     std::vector<Row> m_rows;
     QCheckBox* m_responsive;

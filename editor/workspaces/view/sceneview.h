@@ -36,6 +36,7 @@ public:
 
     widgets::Viewport& viewport() { return *m_viewport; }
     widgets::Timeline& timeline() { return *m_timeline; }
+    widgets::PlaybackBar& playback() { return *m_bar; }
     ClipScene& scene() { return *m_scene; }
     Player& player() { return *m_player; }
     widgets::MessageStrip& message() { return *m_message; }

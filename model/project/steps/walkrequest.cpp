@@ -5,10 +5,10 @@
 #include "model/core/message.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/groundpoint.h"
-#include "model/project/document/pathcurve.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/steps/animate.h"
+#include "model/project/steps/pathrequest.h"
 
 #include <algorithm>
 #include <numbers>
@@ -17,23 +17,12 @@ namespace quadrille {
 
 namespace {
 
-PathConstraint curveInMetres(const PathEntry& path, double metresPerUnit)
-{
-    PathConstraint constraint{.points = curveOf(path, metresPerUnit), .inSpace = path.inSpace};
-    for (Vec3d& point : constraint.points)
-        point *= metresPerUnit;
-    return constraint;
-}
-
 /// Turns the constraints of one animation into frames, one by one.
 class Request
 {
 public:
     Request(const AnimationEntry& animation, const CharacterGraph& graph)
-        : m_animation(animation)
-        , m_graph(graph)
-        , m_project(graph.work().opener->project())
-        , m_ground(m_project.settings.axes.up)
+        : m_animation(animation), m_graph(graph), m_project(graph.work().opener->project())
     {
     }
 
@@ -95,7 +84,7 @@ private:
     void add(const PathEntry& path)
     {
         const double metres = m_graph.metresPerUnit();
-        PathConstraint constraint = curveInMetres(path, metres);
+        PathConstraint constraint = pathInMetres(path, m_project.settings.axes);
         for (const PathSpanEntry& span : path.spans) {
             PathSpan& own = constraint.spans.emplace_back();
             own.from = span.from * metres;
@@ -103,16 +92,6 @@ private:
             if (span.frames)
                 own.demanded = frames(*span.frames);
             own.duration = frameCount(span.duration);
-        }
-        for (std::size_t i = 0; i < path.obstacles.size(); ++i) {
-            const ObstacleEntry& entry = path.obstacles[i];
-            Obstacle obstacle{.name = std::to_string(i + 1),
-                              .radius = entry.isDisc() ? entry.radius * metres : 0,
-                              .clearance = path.clearance * metres};
-            for (const Vec2d& corner : entry.corners)
-                obstacle.outline.push_back(
-                    m_ground.of(pointOnGround(corner * metres, m_project.settings.axes.up)));
-            constraint.obstacles.push_back(std::move(obstacle));
         }
         m_constraints.path = std::move(constraint);
     }
@@ -129,7 +108,6 @@ private:
     const AnimationEntry& m_animation;
     const CharacterGraph& m_graph;
     const Project& m_project;
-    Ground m_ground;
     WalkConstraints m_constraints;
 };
 

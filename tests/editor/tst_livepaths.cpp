@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+// Paths of animations that are followed live.
+#include "livefixture.h"
+#include "tests/qt/registry.h"
+#include "widgets/controls/messagestrip.h"
+
+#include <QComboBox>
+
+namespace quadrille {
+
+class LivePathsTest : public LiveFixture
+{
+    Q_OBJECT
+
+private slots:
+    void pathsOfAnimationsAreFollowed()
+    {
+        open();
+        Project project = document().project();
+        AnimationEntry& tour = project.animations.emplace_back();
+        tour.name = "tour";
+        PathEntry path;
+        path.points = {{1, 0, 1}, {1, 0, 2.5}};
+        path.obstacles = {{.corners = {{3, 2}}, .radius = 0.2}};
+        tour.constraints = {path};
+        document().recover(project, document().file());
+        QTRY_VERIFY(session().isReady());
+        auto* paths = m_window->findChild<QComboBox*>(QStringLiteral("livePath"));
+        QVERIFY(paths != nullptr);
+        QTRY_COMPARE(paths->count(), 2);
+        QVERIFY(paths->isEnabled());
+        const auto choose = [&](int index) {
+            paths->setCurrentIndex(index);
+            emit paths->activated(index);
+        };
+        choose(1);
+        QVERIFY(session().follower() != nullptr);
+        QCOMPARE(paths->currentIndex(), 1);
+        QVERIFY((session().state().track.root.shift - Vec2d(1, 1)).norm() < 1e-9);
+        session().startRecording();
+        session().pause();
+        for (int t = 0; t < 3000 && !session().follower()->isDone(); ++t)
+            session().step();
+        QVERIFY(session().follower()->hasReachedEnd());
+        QVERIFY(session().follower()->deviation() < 0.2);
+        const std::optional<LiveEntry> entry = session().stopRecording();
+        QVERIFY(entry.has_value());
+        QVERIFY((*entry->position - Vec2d(1, 1)).norm() < 1e-9);
+        // What was recorded leads there without the path.
+        const Vec2d end = session().state().track.root.shift;
+        QVERIFY(session().load(*entry, document().project().settings.axes));
+        QVERIFY(session().follower() == nullptr);
+        QCOMPARE(paths->currentIndex(), 0);
+        session().goTo(session().tickCount());
+        QVERIFY((session().state().track.root.shift - end).norm() < 1e-9);
+        // Who steers leaves the path.
+        choose(1);
+        play(20);
+        session().want(0);
+        QVERIFY(session().follower() == nullptr);
+        QCOMPARE(paths->currentIndex(), 0);
+        choose(1);
+        play(20);
+        session().goTo(5);
+        play(100);
+        QVERIFY(session().follower()->walked() > 0.1);
+        choose(0);
+        QVERIFY(session().follower() == nullptr);
+    }
+
+    void pathsThatCannotBeFollowedSayWhy()
+    {
+        open();
+        Project project = document().project();
+        AnimationEntry& tour = project.animations.emplace_back();
+        tour.name = "tour";
+        PathEntry path;
+        path.points = {{1, 0, 1}, {1, 0, 2.5}};
+        path.obstacles = {{.corners = {{1, 1}}, .radius = 0.2}};
+        tour.constraints = {path};
+        document().recover(project, document().file());
+        QTRY_VERIFY(session().isReady());
+        auto* paths = m_window->findChild<QComboBox*>(QStringLiteral("livePath"));
+        QTRY_COMPARE(paths->count(), 2);
+        paths->setCurrentIndex(1);
+        emit paths->activated(1);
+        QVERIFY(session().follower() == nullptr);
+        QCOMPARE(paths->currentIndex(), 0);
+        QVERIFY(workspace().view().message().text().contains(QStringLiteral("stands at the start")));
+    }
+};
+
+} // namespace quadrille
+
+QUADRILLE_QT_TEST(quadrille::LivePathsTest);
+#include "tst_livepaths.moc"
