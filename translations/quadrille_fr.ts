@@ -1648,6 +1648,21 @@
     </message>
 </context>
 <context>
+    <name>MeasureText</name>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+</context>
+<context>
     <name>QAbstractFileIconProvider</name>
     <message>
         <source>Folder</source>
@@ -3289,6 +3304,10 @@
         <source>Make one of some takes.</source>
         <translation>Faites-en un de quelques prises.</translation>
     </message>
+    <message>
+        <source>a clip, only the motion spaces of a performance (“live/NAME”)</source>
+        <translation>un clip, seulement les espaces de mouvement d’une performance (« live/NOM »)</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -4288,10 +4307,6 @@
     <message>
         <source>New model</source>
         <translation>Nouveau modèle</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5416,10 +5431,6 @@
         <translation>Export de %1</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Exporting…</source>
         <translation>Export en cours…</translation>
     </message>
@@ -5565,6 +5576,10 @@
     <message>
         <source>USD, OBJ and PLY show each in its frame.</source>
         <translation>USD, OBJ et PLY montrent chacune dans son image.</translation>
+    </message>
+    <message>
+        <source>%1 · motion spaces, transitions and the recording, to be steered in games</source>
+        <translation>%1 · espaces de mouvement, transitions et enregistrement, à diriger dans des jeux</translation>
     </message>
 </context>
 <context>
@@ -5992,6 +6007,14 @@
     <message>
         <source>%1. Click to look at all takes</source>
         <translation>%1. Cliquez pour voir toutes les prises</translation>
+    </message>
+    <message>
+        <source>Motion graph: transitions between takes</source>
+        <translation>Graphe de mouvement : transitions entre prises</translation>
+    </message>
+    <message>
+        <source>Essential graph: transitions between takes</source>
+        <translation>Graphe essentiel : transitions entre prises</translation>
     </message>
 </context>
 <context>
@@ -7842,6 +7865,22 @@
         <source>Paused at %1 s</source>
         <translation>En pause à %1 s</translation>
     </message>
+    <message>
+        <source>Path to follow</source>
+        <translation>Chemin à suivre</translation>
+    </message>
+    <message>
+        <source>The path of an animation, which is followed around its obstacles from its beginning; whoever steers takes over</source>
+        <translation>Le chemin d’une animation, suivi depuis son début en contournant ses obstacles ; qui dirige reprend la main</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>Along “%1”</source>
+        <translation>Le long de « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::LiveEdits</name>
@@ -7944,12 +7983,12 @@
         <translation>Sélectionnez quelques prises et faites-en un espace de mouvement.</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>New motion space</source>
+        <translation>Nouvel espace de mouvement</translation>
     </message>
 </context>
 <context>
@@ -8850,18 +8889,6 @@
             <numerusform>%n référence</numerusform>
             <numerusform>%n références</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 m/s</source>
-        <translation>%1 m/s</translation>
-    </message>
-    <message>
-        <source>%1 °/s</source>
-        <translation>%1 °/s</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
     </message>
 </context>
 <context>
@@ -11365,13 +11392,6 @@ maximal %2</translation>
     </message>
 </context>
 <context>
-    <name>quadrille::RefusalNotes</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-</context>
-<context>
     <name>quadrille::RelinkDialog</name>
     <message>
         <source>Looking for what is missing</source>
@@ -11739,6 +11759,10 @@ maximal %2</translation>
     <message>
         <source>%1 (going on)</source>
         <translation>%1 (continuer)</translation>
+    </message>
+    <message>
+        <source>From the wish until the target is where it is wanted; of a single way from when it was looked for</source>
+        <translation>Du souhait jusqu’à ce que la cible soit où on la veut ; d’une voie seule, depuis qu’elle fut cherchée</translation>
     </message>
 </context>
 <context>
@@ -12359,10 +12383,6 @@ maximal %2</translation>
         <translation>«&#xa0;%1&#xa0;» ne peut pas être montrée.</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Notes</source>
         <translation>Notes</translation>
     </message>
@@ -12454,6 +12474,14 @@ maximal %2</translation>
     <message>
         <source>The model has not learned both frames.</source>
         <translation>Le modèle n’a pas appris les deux images.</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::SpaceMap</name>
+    <message>
+        <source>%1 %2 %</source>
+        <extracomment>a take and its share in a blend</extracomment>
+        <translation>%1 %2 %</translation>
     </message>
 </context>
 <context>
@@ -12620,8 +12648,8 @@ maximal %2</translation>
         <translation>Pas %1 ms, image %2 ms</translation>
     </message>
     <message>
-        <source>Transitions</source>
-        <translation>Transitions</translation>
+        <source>Transitions that were made</source>
+        <translation>Transitions faites</translation>
     </message>
 </context>
 <context>
@@ -13492,10 +13520,6 @@ maximal %2</translation>
         <translation>Nouveau transfert</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
     </message>
@@ -13855,10 +13879,6 @@ maximal %2</translation>
     <message>
         <source>Import sequences first: variations are learned from them.</source>
         <translation>Importez d’abord des séquences&#xa0;: les variations en sont apprises.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Learning was stopped: these variations are drawn from the best so far.</source>
@@ -14495,11 +14515,6 @@ maximal %2</translation>
             <numerusform>%1 → %2&#xa0;: %n transition</numerusform>
             <numerusform>%1 → %2&#xa0;: %n transitions</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1: transitions between takes</source>
-        <extracomment>what is counted in the overview of takes: the transitions of a graph</extracomment>
-        <translation>%1&#xa0;: transitions entre les prises</translation>
     </message>
     <message>
         <source>↻ %1</source>
