@@ -40,6 +40,7 @@ MeshSequence mirroredTake(const MeshSequence& sequence, const Symmetry& symmetry
     clip.origins.resize(static_cast<std::size_t>(sequence.frameCount()));
     MeshSequence made =
         withFrames(sequence, mirrored(clip, symmetry, {}, up, progress.part(0.5, 1)).positions);
+    made.name += " (mirrored)";
     for (ContactSpan& contact : made.contacts) {
         if (contact.foot == "left" || contact.foot == "right")
             contact.foot = contact.foot == "left" ? "right" : "left";
@@ -61,6 +62,7 @@ MeshSequence reversedTake(const MeshSequence& sequence, const Progress& progress
     for (auto end = forward.end(); end != forward.begin(); end -= vertices)
         backward.insert(backward.end(), end - vertices, end);
     MeshSequence made = withFrames(sequence, std::move(backward));
+    made.name += " (reversed)";
     for (ContactSpan& contact : made.contacts)
         contact.frames = reversedRange(contact.frames, sequence.frameCount());
     std::ranges::reverse(made.contacts);

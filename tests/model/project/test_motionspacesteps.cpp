@@ -143,6 +143,7 @@ TEST_F(MotionSpaceSteps, TurnMirroredTakesTheOtherWay)
     const auto space = opened("turn");
     EXPECT_NEAR(space->weights.nodes()[0].place[0], 14.3, 0.5); // 0.01 radians a frame
     EXPECT_NEAR(space->weights.nodes()[1].place[0], -14.3, 0.5);
+    EXPECT_EQ(space->takes[1].name, "left (mirrored)");
 }
 
 TEST_F(MotionSpaceSteps, PlayReversedTakesFromTheirEnd)
