@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/error.h"
+#include "model/live/bakedplayer.h"
 #include "model/project/checks/validate.h"
 #include "model/project/document/findentry.h"
 #include "model/project/results/openlive.h"
@@ -93,6 +94,47 @@ TEST_F(LiveSteps, MakeWhatAPlayerPlays)
         played.insert(played.end(), pose.begin(), pose.end());
     });
     EXPECT_EQ(positions(), played);
+}
+
+TEST_F(LiveSteps, AreExportedAsPlayers)
+{
+    stroll().correctsContacts = false;
+    stroll().from = 40;
+    ExportEntry entry;
+    entry.name = "game";
+    entry.what = "live/stroll";
+    entry.path = "stroll.qplayer";
+    project.exports = {entry};
+    ASSERT_EQ(failure("exports"), "");
+    const BakedPlayer baked = readBakedPlayer(folder / "stroll.qplayer");
+    LivePlayer player(baked.graph, baked.settings, baked.start);
+    std::vector<Vec3f> played;
+    std::vector<Vec3f> pose(baked.graph->vertexCount());
+    perform(player, baked.inputs, [&](LivePlayer& each) {
+        const std::int64_t tick = each.state().tick - baked.from;
+        if (tick < 0 || tick % baked.settings.ticksPerFrame != 0)
+            return;
+        each.pose(pose);
+        played.insert(played.end(), pose.begin(), pose.end());
+    });
+    EXPECT_EQ(positions(), played);
+    EXPECT_EQ(baked.frameOf({.space = 1, .take = 0, .frame = 3}).sequence, "slow");
+    EXPECT_THAT(computed(run("exports")), IsEmpty());
+    stroll().inputs[0].input.parameters = {0.9};
+    EXPECT_THAT(computed(run("exports")), ElementsAre("live/stroll/clip", "exports/game"));
+}
+
+TEST_F(LiveSteps, AreNotExportedAsPlayersOfWhatPlayersHaveNot)
+{
+    ExportEntry entry;
+    entry.name = "game";
+    entry.what = "sequences/slow";
+    entry.path = "slow.qplayer";
+    project.exports = {entry};
+    EXPECT_THAT(failure("exports"), HasSubstr("only the motion spaces of a performance"));
+    project.exports[0].what = "live/stroll";
+    project.exports[0].fps = 50;
+    EXPECT_THAT(failure("exports"), HasSubstr("no range, no rate and no axes"));
 }
 
 TEST_F(LiveSteps, BeginTheClipWhereItIsWanted)
