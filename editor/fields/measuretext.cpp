@@ -18,7 +18,7 @@ struct MeasureText
 
 QString measureText(double value, SpaceMeasure measure)
 {
-    const QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 0 : 2);
+    QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 0 : 2);
     switch (measure) {
     case SpaceMeasure::Speed:
         return MeasureText::tr("%1 m/s").arg(number);
