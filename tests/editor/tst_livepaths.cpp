@@ -67,6 +67,14 @@ private slots:
         QVERIFY(session().follower()->walked() > 0.1);
         choose(0);
         QVERIFY(session().follower() == nullptr);
+        // What is being recorded is kept.
+        session().startRecording();
+        session().pause();
+        play(10);
+        choose(1);
+        QVERIFY(!session().isRecording());
+        QCOMPARE(document().project().lives.size(), std::size_t{1});
+        QVERIFY(session().follower() != nullptr);
     }
 
     void pathsThatCannotBeFollowedSayWhy()

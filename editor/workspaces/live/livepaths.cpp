@@ -95,8 +95,11 @@ void LivePaths::choose(const QString& animation)
         m_session.followPath(std::nullopt);
         return;
     }
+    // Keeping a recording changes the project.
+    const PathConstraint wanted = pathInMetres(*path, m_context.document.project().settings.axes);
+    emit beginning();
     try {
-        m_session.followPath(pathInMetres(*path, m_context.document.project().settings.axes));
+        m_session.followPath(wanted);
         m_chosen = animation;
     } catch (const Error& error) {
         emit failed(error);

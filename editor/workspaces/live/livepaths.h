@@ -35,6 +35,8 @@ public:
     void choose(const QString& animation);
 
 signals:
+    /// What is played by now is about to be begun anew: what is being recorded must be kept before.
+    void beginning();
     /// Another one is followed, or there are others.
     void changed();
     /// The path cannot be followed.

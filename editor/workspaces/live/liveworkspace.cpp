@@ -106,6 +106,7 @@ void LiveWorkspace::connectSession()
         showTimeline();
     });
     connect(m_session, &LiveSession::decided, this, &LiveWorkspace::showTimeline);
+    connect(m_paths, &LivePaths::beginning, this, &LiveWorkspace::finishRecording);
     connect(m_paths, &LivePaths::failed, this, [this](const Error& error) {
         const ErrorText text = describe(error);
         m_help.clear();
