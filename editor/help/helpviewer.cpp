@@ -88,7 +88,7 @@ HelpViewer::HelpViewer(QWidget* parent)
     connect(m_browser, &QTextBrowser::backwardAvailable, m_back, &QToolButton::setEnabled);
     connect(m_browser, &QTextBrowser::sourceChanged, this, [this] { m_pages->setCurrentWidget(m_browser); });
     connect(m_search, &QLineEdit::textChanged, this, &HelpViewer::search);
-    connect(m_search, &QLineEdit::returnPressed, this, [this] { open(m_hits->currentItem()); });
+    connect(m_search, &QLineEdit::returnPressed, this, [this] { openHit(m_hits->currentItem()); });
     connect(m_hits, &QListWidget::itemActivated, this, &HelpViewer::open);
     connect(m_hits, &QListWidget::itemClicked, this, &HelpViewer::open);
     retranslates(this, [this] { retranslate(); });
@@ -175,7 +175,7 @@ void HelpViewer::search(const QString& words)
     m_pages->setCurrentWidget(words.trimmed().isEmpty() ? static_cast<QWidget*>(m_browser) : m_hits);
 }
 
-void HelpViewer::open(const QListWidgetItem* hit)
+void HelpViewer::openHit(const QListWidgetItem* hit)
 {
     if (hit == nullptr || !hit->data(pageRole).isValid())
         return;

@@ -39,7 +39,7 @@ private:
     QWidget* makeBar();
     void scrollTo(int heading);
     void search(const QString& words);
-    void open(const QListWidgetItem* hit);
+    void openHit(const QListWidgetItem* hit);
     void retranslate();
 
     QTextBrowser* m_browser;
