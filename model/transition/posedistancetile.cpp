@@ -82,7 +82,7 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
                               const Progress& progress, const Fill& fill, const Add& add)
 {
     // Slices of so many columns stay in a core's own cache while all rows go by.
-    constexpr std::size_t columnsAtOnce = 128;
+    constexpr std::size_t columnsAtOnce = 64;
     std::vector<double> sums(rows.size() * columns.size(), 0.0);
     std::vector<Slice> columnSlices(columns.size());
     std::vector<Slice> rowSlices(rows.size());

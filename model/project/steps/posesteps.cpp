@@ -82,7 +82,7 @@ BuildStep distanceStep(const CharacterInputs& work, const std::string& name,
                        const PoseDistanceSettings& settings)
 {
     BuildStep step = poseStep(work, name);
-    step.version = isSurface(settings) ? 1 : 2;
+    step.version = 2;
     step.settings +=
         nlohmann::json({isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight}).dump();
     if (step.inputs.empty()) // else frames are not known before

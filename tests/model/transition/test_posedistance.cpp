@@ -87,6 +87,27 @@ TEST(PoseDistance, AgreesForTrianglesThatNearlyVanish)
     }
 }
 
+TEST(PoseDistance, AgreesForEachAmountOfStretch)
+{
+    // Some slices of triangles hold what is stretched to more than three times its breadth, others do not.
+    std::vector<std::array<int, 3>> faces;
+    Pose rest;
+    Pose stretched;
+    for (int t = 0; t < 2048; ++t) {
+        faces.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        const float stretch = std::exp(static_cast<float>(t) / 1000); // to 7.7
+        rest.insert(rest.end(), {{0, 0, 0}, {1, 0, 0}, {0.3F, 1, 0}});
+        stretched.insert(stretched.end(), {{0, 0, 0}, {stretch, 0, 0}, {0.3F * stretch, 1, 0}});
+    }
+    const auto topology = topologyOf(static_cast<int>(rest.size()), faces);
+    for (const double weight : {0.01, 1.0, 100.0}) {
+        const double expected = plainSurfaceDistance(rest, stretched, topology->triangles(), weight);
+        const PoseDistances result =
+            poseDistances(characterOf(sequenceOf(topology, {rest, stretched})), {.stretchWeight = weight});
+        EXPECT_NEAR(result.distances(0, 1), expected, 5e-7 * expected) << weight;
+    }
+}
+
 TEST(PoseDistance, OfTrianglesHasThatOfThePosesAsItsMean)
 {
     const MeshSequence tube = swayingTube(tubeTopology(12, 40), 12, 3, 0.4);
