@@ -46,6 +46,8 @@ def complaints(catalogue, lupdate, arguments):
     for context, source, _ in held.keys() - wanted.keys():
         yield f"holds what the sources have no more, {context}: {source!r}"
     for (context, source, _), message in held.items():
+        if not context:
+            yield f"has no class for {source!r}: lupdate needs tr() behind the class's own name, not behind another for it"
         if message.find("translation").get("type") is not None or "" in forms(message):
             yield f"leaves unfinished {context}: {source!r}"
         elif any(placeholders(form) != placeholders(source) for form in forms(message)):

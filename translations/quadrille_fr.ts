@@ -2,146 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr_FR" sourcelanguage="en">
 <context>
-    <name></name>
-    <message>
-        <source>Components</source>
-        <translation>Composantes</translation>
-    </message>
-    <message>
-        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
-    </message>
-    <message>
-        <source>Warps</source>
-        <translation>Déformations</translation>
-    </message>
-    <message>
-        <source>How many of the components are Eigen warps, which align textures</source>
-        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <comment>percent</comment>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>Alignement</translation>
-    </message>
-    <message>
-        <source>How the way of each texel is found from texture to texture</source>
-        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
-    </message>
-    <message>
-        <source>TV-L1</source>
-        <translation>TV-L1</translation>
-    </message>
-    <message>
-        <source>Dense inverse search, quick</source>
-        <translation>Recherche inverse dense, rapide</translation>
-    </message>
-    <message>
-        <source>Variations</source>
-        <translation>Variations</translation>
-    </message>
-    <message>
-        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
-        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
-    </message>
-    <message>
-        <source>Learned from poses</source>
-        <translation>Apprises d’après les poses</translation>
-    </message>
-    <message>
-        <source>Of captured frames</source>
-        <translation>D’images captées</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>Clip</translation>
-    </message>
-    <message>
-        <source>What is performed: a take, an animation or another transfer</source>
-        <translation>Ce qui est exécuté : une prise, une animation ou un autre transfert</translation>
-    </message>
-    <message>
-        <source>Performed by</source>
-        <translation>Exécuté par</translation>
-    </message>
-    <message>
-        <source>The body that performs it: a scan or a take of another character, in its first frame</source>
-        <translation>Le corps qui l’exécute : un scan ou une prise d’un autre personnage, dans sa première image</translation>
-    </message>
-    <message>
-        <source>Reference pose</source>
-        <translation>Pose de référence</translation>
-    </message>
-    <message>
-        <source>The pose of the template that the body&apos;s is like; the nearer it is, the better the result</source>
-        <translation>La pose du gabarit à laquelle ressemble celle du corps ; plus elle est proche, meilleur est le résultat</translation>
-    </message>
-    <message>
-        <source>Rotations</source>
-        <translation>Rotations</translation>
-    </message>
-    <message>
-        <source>What of the rotations of paired triangles is spread over the body: logarithms turn evenly where a part turns far</source>
-        <translation>Ce qui est réparti sur le corps des rotations des triangles appariés : les logarithmes tournent régulièrement là où une partie tourne beaucoup</translation>
-    </message>
-    <message>
-        <source>Quaternions</source>
-        <translation>Quaternions</translation>
-    </message>
-    <message>
-        <source>Logarithms</source>
-        <translation>Logarithmes</translation>
-    </message>
-    <message>
-        <source>Scale of the way</source>
-        <translation>Échelle du chemin</translation>
-    </message>
-    <message>
-        <source>Of the way over the ground and of heights above it; by itself what the steps of the body ask for</source>
-        <translation>Du chemin au sol et des hauteurs au-dessus ; d’elle-même, ce que demandent les pas du corps</translation>
-    </message>
-    <message>
-        <source>by itself</source>
-        <translation>d’elle-même</translation>
-    </message>
-    <message>
-        <source>Correct the pose</source>
-        <translation>Corriger la pose</translation>
-    </message>
-    <message>
-        <source>Limbs that the body holds otherwise than the template does in the reference pose are brought there first: the arms of a scan in A- or T-pose</source>
-        <translation>Les membres que le corps tient autrement que le gabarit dans la pose de référence y sont d’abord amenés : les bras d’un scan en pose A ou T</translation>
-    </message>
-    <message>
-        <source>Correct contacts</source>
-        <translation>Corriger les contacts</translation>
-    </message>
-    <message>
-        <source>Feet that stand in the clip stand still in the result as well</source>
-        <translation>Les pieds posés dans le clip restent immobiles dans le résultat aussi</translation>
-    </message>
-    <message>
-        <source>Truth</source>
-        <translation>Vérité</translation>
-    </message>
-    <message>
-        <source>A take of the body that shows what the result ought to be, for the evaluation of transfers; the result does not depend on it</source>
-        <translation>Une prise du corps qui montre ce que le résultat devrait être, pour l’évaluation des transferts ; le résultat n’en dépend pas</translation>
-    </message>
-    <message>
-        <source>Carry stretch</source>
-        <translation>Transmettre l’étirement</translation>
-    </message>
-    <message>
-        <source>How the skin of the template stretches and is pressed together about each pair is carried as well, so that bends keep their volume; else rotations only</source>
-        <translation>La façon dont la peau du gabarit s’étire et se comprime autour de chaque paire est transmise aussi, pour que les plis gardent leur volume ; sinon les rotations seules</translation>
-    </message>
-</context>
-<context>
     <name>Evaluation</name>
     <message>
         <source>Change of edges</source>
@@ -4207,6 +4067,62 @@
     <message>
         <source>Duplicate “%1”</source>
         <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::AppearanceFields</name>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
+        <translation>Textures et déformations propres ensemble, au plus ; de 1 à 1000</translation>
+    </message>
+    <message>
+        <source>Warps</source>
+        <translation>Déformations</translation>
+    </message>
+    <message>
+        <source>How many of the components are Eigen warps, which align textures</source>
+        <translation>Combien de composantes sont des déformations propres, qui alignent les textures</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <comment>percent</comment>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>How the way of each texel is found from texture to texture</source>
+        <translation>Comment le chemin de chaque texel est trouvé d’une texture à l’autre</translation>
+    </message>
+    <message>
+        <source>TV-L1</source>
+        <translation>TV-L1</translation>
+    </message>
+    <message>
+        <source>Dense inverse search, quick</source>
+        <translation>Recherche inverse dense, rapide</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+    <message>
+        <source>What frames of variations take their textures from: their poses, as the model learned to vary with them, or the captured frames that they vary</source>
+        <translation>D’où les images des variations tirent leurs textures : de leurs poses, avec lesquelles le modèle a appris à varier, ou des images captées qu’elles varient</translation>
+    </message>
+    <message>
+        <source>Learned from poses</source>
+        <translation>Apprises d’après les poses</translation>
+    </message>
+    <message>
+        <source>Of captured frames</source>
+        <translation>D’images captées</translation>
     </message>
 </context>
 <context>
@@ -13391,6 +13307,90 @@ maximal %2</translation>
     <message>
         <source>Not known</source>
         <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>What is performed: a take, an animation or another transfer</source>
+        <translation>Ce qui est exécuté : une prise, une animation ou un autre transfert</translation>
+    </message>
+    <message>
+        <source>Performed by</source>
+        <translation>Exécuté par</translation>
+    </message>
+    <message>
+        <source>The body that performs it: a scan or a take of another character, in its first frame</source>
+        <translation>Le corps qui l’exécute : un scan ou une prise d’un autre personnage, dans sa première image</translation>
+    </message>
+    <message>
+        <source>Reference pose</source>
+        <translation>Pose de référence</translation>
+    </message>
+    <message>
+        <source>The pose of the template that the body&apos;s is like; the nearer it is, the better the result</source>
+        <translation>La pose du gabarit à laquelle ressemble celle du corps ; plus elle est proche, meilleur est le résultat</translation>
+    </message>
+    <message>
+        <source>Rotations</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>What of the rotations of paired triangles is spread over the body: logarithms turn evenly where a part turns far</source>
+        <translation>Ce qui est réparti sur le corps des rotations des triangles appariés : les logarithmes tournent régulièrement là où une partie tourne beaucoup</translation>
+    </message>
+    <message>
+        <source>Quaternions</source>
+        <translation>Quaternions</translation>
+    </message>
+    <message>
+        <source>Logarithms</source>
+        <translation>Logarithmes</translation>
+    </message>
+    <message>
+        <source>Scale of the way</source>
+        <translation>Échelle du chemin</translation>
+    </message>
+    <message>
+        <source>Of the way over the ground and of heights above it; by itself what the steps of the body ask for</source>
+        <translation>Du chemin au sol et des hauteurs au-dessus ; d’elle-même, ce que demandent les pas du corps</translation>
+    </message>
+    <message>
+        <source>by itself</source>
+        <translation>d’elle-même</translation>
+    </message>
+    <message>
+        <source>Correct the pose</source>
+        <translation>Corriger la pose</translation>
+    </message>
+    <message>
+        <source>Limbs that the body holds otherwise than the template does in the reference pose are brought there first: the arms of a scan in A- or T-pose</source>
+        <translation>Les membres que le corps tient autrement que le gabarit dans la pose de référence y sont d’abord amenés : les bras d’un scan en pose A ou T</translation>
+    </message>
+    <message>
+        <source>Carry stretch</source>
+        <translation>Transmettre l’étirement</translation>
+    </message>
+    <message>
+        <source>How the skin of the template stretches and is pressed together about each pair is carried as well, so that bends keep their volume; else rotations only</source>
+        <translation>La façon dont la peau du gabarit s’étire et se comprime autour de chaque paire est transmise aussi, pour que les plis gardent leur volume ; sinon les rotations seules</translation>
+    </message>
+    <message>
+        <source>Correct contacts</source>
+        <translation>Corriger les contacts</translation>
+    </message>
+    <message>
+        <source>Feet that stand in the clip stand still in the result as well</source>
+        <translation>Les pieds posés dans le clip restent immobiles dans le résultat aussi</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Vérité</translation>
+    </message>
+    <message>
+        <source>A take of the body that shows what the result ought to be, for the evaluation of transfers; the result does not depend on it</source>
+        <translation>Une prise du corps qui montre ce que le résultat devrait être, pour l’évaluation des transferts ; le résultat n’en dépend pas</translation>
     </message>
 </context>
 <context>

@@ -50,21 +50,22 @@ template <typename Form>
 void addTransferSubjects(FieldForm<TransferEntry, Form>& fields, const TransferNames& names,
                          const std::function<const Project&()>& project)
 {
-    using T = TransferTexts;
     auto clip = lensOf<TransferEntry>(&TransferEntry::clip);
     clip.set = [project](TransferEntry& entry, const std::string& name) { setClip(entry, name, project()); };
-    fields.addItems({names.clip, [] { return T::tr("Clip"); },
-                     [] { return T::tr("What is performed: a take, an animation or another transfer"); }},
-                    clip, [project](const TransferEntry& entry) { return clipItems(project(), entry); });
+    fields.addItems(
+        {names.clip, [] { return TransferTexts::tr("Clip"); },
+         [] { return TransferTexts::tr("What is performed: a take, an animation or another transfer"); }},
+        clip, [project](const TransferEntry& entry) { return clipItems(project(), entry); });
     Lens<TransferEntry, std::string> target;
     target.get = [](const TransferEntry& entry) { return entry.target.sequence; };
     target.set = [project](TransferEntry& entry, const std::string& name) {
         setTarget(entry, name, project());
     };
-    fields.addItems({names.target, [] { return T::tr("Performed by"); },
+    fields.addItems({names.target, [] { return TransferTexts::tr("Performed by"); },
                      [] {
-                         return T::tr("The body that performs it: a scan or a take of another character, in "
-                                      "its first frame");
+                         return TransferTexts::tr(
+                             "The body that performs it: a scan or a take of another character, in "
+                             "its first frame");
                      }},
                     target, [project](const TransferEntry& /*entry*/) { return targetItems(project()); });
 }
@@ -74,50 +75,55 @@ template <typename Form>
 void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferNames& names,
                          const std::function<const Project&()>& project)
 {
-    using T = TransferTexts;
-    fields.addItems({names.reference, [] { return T::tr("Reference pose"); },
+    fields.addItems({names.reference, [] { return TransferTexts::tr("Reference pose"); },
                      [] {
-                         return T::tr("The pose of the template that the body's is like; the nearer it is, "
-                                      "the better the result");
+                         return TransferTexts::tr(
+                             "The pose of the template that the body's is like; the nearer it is, "
+                             "the better the result");
                      }},
                     &TransferEntry::reference,
                     [project](const TransferEntry& entry) { return referenceItems(project(), entry); });
-    fields.addChoice({names.field, [] { return T::tr("Rotations"); },
+    fields.addChoice(
+        {names.field, [] { return TransferTexts::tr("Rotations"); },
+         [] {
+             return TransferTexts::tr("What of the rotations of paired triangles is spread over the body: "
+                                      "logarithms turn evenly where a part turns far");
+         }},
+        &TransferEntry::field,
+        {[] { return TransferTexts::tr("Quaternions"); }, [] { return TransferTexts::tr("Logarithms"); }});
+    fields.addNumber(
+        {names.scale, [] { return TransferTexts::tr("Scale of the way"); },
+         [] {
+             return TransferTexts::tr("Of the way over the ground and of heights above it; by itself what "
+                                      "the steps of the body ask for");
+         }},
+        &TransferEntry::scale,
+        {.path = "transfer.scale", .step = 0.05, .automatic = [] { return TransferTexts::tr("by itself"); }});
+    fields.addSwitch({names.poses, [] { return TransferTexts::tr("Correct the pose"); },
                       [] {
-                          return T::tr("What of the rotations of paired triangles is spread over the body: "
-                                       "logarithms turn evenly where a part turns far");
-                      }},
-                     &TransferEntry::field,
-                     {[] { return T::tr("Quaternions"); }, [] { return T::tr("Logarithms"); }});
-    fields.addNumber({names.scale, [] { return T::tr("Scale of the way"); },
-                      [] {
-                          return T::tr("Of the way over the ground and of heights above it; by itself what "
-                                       "the steps of the body ask for");
-                      }},
-                     &TransferEntry::scale, {.path = "transfer.scale", .step = 0.05, .automatic = [] {
-                                                 return T::tr("by itself");
-                                             }});
-    fields.addSwitch({names.poses, [] { return T::tr("Correct the pose"); },
-                      [] {
-                          return T::tr("Limbs that the body holds otherwise than the template does in the "
-                                       "reference pose are brought there first: the arms of a scan in A- or "
-                                       "T-pose");
+                          return TransferTexts::tr(
+                              "Limbs that the body holds otherwise than the template does in the "
+                              "reference pose are brought there first: the arms of a scan in A- or "
+                              "T-pose");
                       }},
                      &TransferEntry::correctsPose);
-    fields.addSwitch({names.stretch, [] { return T::tr("Carry stretch"); },
+    fields.addSwitch({names.stretch, [] { return TransferTexts::tr("Carry stretch"); },
                       [] {
-                          return T::tr("How the skin of the template stretches and is pressed together about "
-                                       "each pair is carried as well, so that bends keep their volume; else "
-                                       "rotations only");
+                          return TransferTexts::tr(
+                              "How the skin of the template stretches and is pressed together about "
+                              "each pair is carried as well, so that bends keep their volume; else "
+                              "rotations only");
                       }},
                      &TransferEntry::carriesStretch);
-    fields.addSwitch({names.contacts, [] { return T::tr("Correct contacts"); },
-                      [] { return T::tr("Feet that stand in the clip stand still in the result as well"); }},
-                     &TransferEntry::correctsContacts);
-    fields.addItems({names.truth, [] { return T::tr("Truth"); },
+    fields.addSwitch(
+        {names.contacts, [] { return TransferTexts::tr("Correct contacts"); },
+         [] { return TransferTexts::tr("Feet that stand in the clip stand still in the result as well"); }},
+        &TransferEntry::correctsContacts);
+    fields.addItems({names.truth, [] { return TransferTexts::tr("Truth"); },
                      [] {
-                         return T::tr("A take of the body that shows what the result ought to be, for the "
-                                      "evaluation of transfers; the result does not depend on it");
+                         return TransferTexts::tr(
+                             "A take of the body that shows what the result ought to be, for the "
+                             "evaluation of transfers; the result does not depend on it");
                      }},
                     &TransferEntry::truth,
                     [project](const TransferEntry& entry) { return truthItems(project(), entry); });
