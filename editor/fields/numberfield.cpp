@@ -52,10 +52,32 @@ double lowestOf(const NumberLook& look)
     return std::max(look.lowest, facts.least / look.scale + step);
 }
 
-class TrimmedField : public QDoubleSpinBox
+class NumberField : public QDoubleSpinBox
 {
 public:
-    QString textFromValue(double value) const override { return locale().toString(value, 'g', 9); }
+    explicit NumberField(const NumberLook& look)
+        : m_trimsZeros(look.trimsZeros)
+        , m_first(look.first != 0 ? look.first : factsFor(look).usual.value_or(0) / look.scale)
+    {
+    }
+
+    QString textFromValue(double value) const override
+    {
+        return m_trimsZeros ? locale().toString(value, 'g', 9) : QDoubleSpinBox::textFromValue(value);
+    }
+
+    void stepBy(int steps) override
+    {
+        const bool isEmpty = !specialValueText().isEmpty() && value() == minimum();
+        if (isEmpty && steps > 0 && m_first > minimum())
+            setValue(m_first);
+        else
+            QDoubleSpinBox::stepBy(steps);
+    }
+
+private:
+    bool m_trimsZeros;
+    double m_first; ///< where steps up lead from an empty value; 0: one step further
 };
 
 } // namespace
@@ -77,7 +99,7 @@ QDoubleSpinBox* makeNumberField(const NumberLook& look)
     const double facts = factsFor(look).greatest / look.scale;
     const double greatest = std::isfinite(facts) ? facts : look.highest;
     const double lowest = look.automatic ? emptyNumber(look) : lowestOf(look);
-    auto* field = look.trimsZeros ? new TrimmedField : new QDoubleSpinBox;
+    auto* field = new NumberField(look);
     field->setDecimals(look.decimals);
     if (greatest > widest) {
         // A seed may be long; a panel is not made wider for it.

@@ -39,6 +39,8 @@ struct NumberLook
     /// reaches as far as a path may, to both sides where the lowest is below zero.
     std::function<double()> metresPerUnit = {};
     bool trimsZeros = false; ///< no zeros are shown at the end of its decimals
+    /// Where stepping up from an empty value leads; 0: to what counts then, where the schema says it.
+    double first = 0;
 };
 /// Of frames a second, as exact as the file has them. \param automatic  see NumberLook.
 NumberLook rateLook(const char* path, SettingForm::Text automatic = {});

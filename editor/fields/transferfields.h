@@ -91,14 +91,17 @@ void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferN
          }},
         &TransferEntry::field,
         {[] { return TransferTexts::tr("Quaternions"); }, [] { return TransferTexts::tr("Logarithms"); }});
-    fields.addNumber(
-        {names.scale, [] { return TransferTexts::tr("Scale of the way"); },
-         [] {
-             return TransferTexts::tr("Of the way over the ground and of heights above it; by itself what "
-                                      "the steps of the body ask for");
-         }},
-        &TransferEntry::scale,
-        {.path = "transfer.scale", .step = 0.05, .automatic = [] { return TransferTexts::tr("by itself"); }});
+    fields.addNumber({names.scale, [] { return TransferTexts::tr("Scale of the way"); },
+                      [] {
+                          return TransferTexts::tr(
+                              "Of the way over the ground and of heights above it; by itself what "
+                              "the steps of the body ask for");
+                      }},
+                     &TransferEntry::scale,
+                     {.path = "transfer.scale",
+                      .step = 0.05,
+                      .automatic = [] { return TransferTexts::tr("by itself"); },
+                      .first = 1});
     fields.addSwitch({names.poses, [] { return TransferTexts::tr("Correct the pose"); },
                       [] {
                           return TransferTexts::tr(

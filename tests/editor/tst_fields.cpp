@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // What all fields of the window have in common: the wheel, and undoing while one is edited.
+#include "editor/fields/numberfield.h"
 #include "editor/workspaces/workspace.h"
 #include "tests/qt/registry.h"
 #include "variationsfixture.h"
@@ -109,6 +110,27 @@ private slots:
         count->setFocus();
         turnWheel(*count, 1);
         QCOMPARE(count->value(), before + 1);
+    }
+
+    void steppingUpFromAnEmptyNumberLeadsToWhatCounts()
+    {
+        const std::unique_ptr<QDoubleSpinBox> field(makeNumberField(
+            {.path = "transfer.scale", .step = 0.05, .automatic = [] { return QString(); }, .first = 1}));
+        field->setSpecialValueText(QStringLiteral("by itself"));
+        field->setValue(field->minimum());
+        QCOMPARE(field->text(), QStringLiteral("by itself"));
+        field->stepUp();
+        QCOMPARE(field->value(), 1.0);
+        field->stepUp();
+        QCOMPARE(field->value(), 1.05);
+
+        const double usual = *factsOf("search.dwell").usual;
+        const std::unique_ptr<QDoubleSpinBox> dwell(
+            makeNumberField({.path = "search.dwell", .automatic = [] { return QString(); }}));
+        dwell->setSpecialValueText(QStringLiteral("usual"));
+        dwell->setValue(dwell->minimum());
+        dwell->stepUp();
+        QCOMPARE(dwell->value(), usual);
     }
 
     void undoingInANumberFieldUndoesTheProject()
