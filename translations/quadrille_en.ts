@@ -334,6 +334,16 @@
     </message>
 </context>
 <context>
+    <name>quadrille::LivePage</name>
+    <message numerus="yes">
+        <source>%1 s, steered %n time(s)</source>
+        <translation>
+            <numerusform>%1 s, steered %n time</numerusform>
+            <numerusform>%1 s, steered %n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>quadrille::LostMediaTable</name>
     <message numerus="yes">
         <source>%1 and %n more</source>

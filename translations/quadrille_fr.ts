@@ -4077,7 +4077,7 @@
     </message>
     <message>
         <source>Of Eigen textures and Eigen warps together, at most; 1 to 1000</source>
-        <translation>Textures et déformations propres ensemble, au plus ; de 1 à 1000</translation>
+        <translation>Textures et déformations propres ensemble, au plus&#xa0;; de 1 à 1000</translation>
     </message>
     <message>
         <source>Warps</source>
@@ -7810,6 +7810,104 @@
     <message>
         <source>Motion spaces</source>
         <translation>Espaces de mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>quadrille::LivePage</name>
+    <message>
+        <source>Whose motion spaces are played</source>
+        <translation>À qui sont les espaces de mouvement joués</translation>
+    </message>
+    <message>
+        <source>Motion spaces</source>
+        <translation>Espaces de mouvement</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Begins at %1</source>
+        <translation>Commence en %1</translation>
+    </message>
+    <message>
+        <source>Where on the ground the performance begins</source>
+        <translation>Où, sur le sol, la performance commence</translation>
+    </message>
+    <message>
+        <source>Looks to</source>
+        <translation>Regarde vers</translation>
+    </message>
+    <message>
+        <source>Where the performance looks first: to the left of straight on</source>
+        <translation>Vers où la performance regarde d’abord : à gauche de tout droit</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>Transitions ahead</source>
+        <translation>Transitions en avant</translation>
+    </message>
+    <message>
+        <source>How far ahead a transition is looked for, in either motion space</source>
+        <translation>Jusqu’où une transition est cherchée en avant, dans l’un et l’autre espace de mouvement</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> images</translation>
+    </message>
+    <message>
+        <source>Waiting costs</source>
+        <translation>L’attente coûte</translation>
+    </message>
+    <message>
+        <source>A frame of waiting for a transition, against dissimilarities from 0 to 1000</source>
+        <translation>Une image d’attente d’une transition, face à des dissemblances de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>Waiting costs, responsive</source>
+        <translation>L’attente coûte, réactif</translation>
+    </message>
+    <message>
+        <source>The same while it is steered responsively</source>
+        <translation>De même tant que l’on dirige de façon réactive</translation>
+    </message>
+    <message>
+        <source>Fade</source>
+        <translation>Fondu</translation>
+    </message>
+    <message>
+        <source>In which one motion space takes over from another</source>
+        <translation>Pendant lequel un espace de mouvement prend la suite d’un autre</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Across a range</source>
+        <translation>D’un bout à l’autre</translation>
+    </message>
+    <message>
+        <source>In which a parameter goes over all of its range at least</source>
+        <translation>Le temps qu’un paramètre met au moins à parcourir toute son étendue</translation>
+    </message>
+    <message>
+        <source>Correct contacts</source>
+        <translation>Corriger les contacts</translation>
+    </message>
+    <message>
+        <source>Feet that stand in the takes stand still in the clip as well</source>
+        <translation>Les pieds posés dans les prises restent immobiles dans le clip aussi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, steered %n time(s)</source>
+        <translation>
+            <numerusform>%1 s, dirigée %n fois</numerusform>
+            <numerusform>%1 s, dirigée %n fois</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -22,4 +22,10 @@ QString addLive(ProjectDocument& document, LiveEntry live)
     return addEntry(document, LiveTexts::tr("Record “%1”"), std::move(live));
 }
 
+void setLive(ProjectDocument& document, const QString& name, const QString& text, const QString& property,
+             LiveEntry after, EditPhase phase)
+{
+    setEntry(document, name, text, property, std::move(after), phase);
+}
+
 } // namespace quadrille

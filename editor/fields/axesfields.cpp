@@ -28,6 +28,12 @@ constexpr std::array presets{
 
 } // namespace
 
+QString groundAxisName(UpAxis up, int which)
+{
+    const int axis = which < static_cast<int>(up) ? which : which + 1;
+    return QString(QLatin1Char(static_cast<char>('x' + axis)));
+}
+
 AxesFields::AxesFields(bool offersPrograms, QWidget* parent)
     : QWidget(parent), m_up(new QComboBox), m_unit(new QComboBox)
 {

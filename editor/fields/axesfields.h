@@ -4,12 +4,16 @@
 
 #include "model/sequence/axes.h"
 
+#include <QString>
 #include <QWidget>
 #include <optional>
 
 class QComboBox;
 
 namespace quadrille {
+
+/// The name of one of the two axes of the ground, in their order in the project. \param which  0 or 1.
+QString groundAxisName(UpAxis up, int which);
 
 /// Up axis and unit of coordinates.
 class AxesFields : public QWidget

@@ -8,6 +8,7 @@
 #include "editor/fields/rangefield.h"
 #include "editor/fields/spacemap.h"
 #include "model/project/document/findentry.h"
+#include "widgets/theme/icons.h"
 
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -19,20 +20,24 @@ namespace quadrille {
 
 namespace {
 
-QToolButton* textButton(const char* text)
+QToolButton* iconButton(const char* icon)
 {
     auto* button = new QToolButton;
-    button->setText(QLatin1String(text));
+    button->setIcon(widgets::icons::icon(QLatin1String(icon)));
+    button->setAutoRaise(true);
     return button;
 }
 
-QWidget* inRow(std::initializer_list<QWidget*> widgets)
+/// \param last  begins at the end of the row, which the first widget leaves free or fills.
+QWidget* inRow(QWidget* first, QWidget* last, bool fills)
 {
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget* widget : widgets)
-        layout->addWidget(widget);
+    layout->addWidget(first, fills ? 1 : 0);
+    if (!fills)
+        layout->addStretch(1);
+    layout->addWidget(last);
     return row;
 }
 
@@ -70,7 +75,7 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
     , m_map(new SpaceMap)
     , m_takes(new PartList(QStringLiteral("motionSpaceTakes")))
     , m_newTake(makeChoiceField())
-    , m_removeTake(textButton("−"))
+    , m_removeTake(iconButton("delete"))
     , m_takeForm(new SettingForm)
     , m_takeFields(*m_takeForm,
                    [this](const QString& text, const char* property, const auto& change) {
@@ -80,8 +85,8 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
                    })
     , m_range(new RangeField("motionSpaceRange"))
     , m_parameters(new PartList(QStringLiteral("motionSpaceParameters")))
-    , m_addParameter(textButton("+"))
-    , m_removeParameter(textButton("−"))
+    , m_addParameter(iconButton("add"))
+    , m_removeParameter(iconButton("delete"))
     , m_parameterForm(new SettingForm)
     , m_parameterFields(*m_parameterForm,
                         [this](const QString& text, const char* property, const auto& change) {
@@ -117,7 +122,7 @@ void MotionSpacePage::addTakes()
     addField(
         "motionSpaceTakes", [] { return tr("Takes"); }, m_takes,
         [] { return tr("What the space is made of, and where each take lies on its axes"); });
-    addWide("motionSpaceTakeButtons", inRow({m_newTake, m_removeTake}));
+    addWide("motionSpaceTakeButtons", inRow(m_newTake, m_removeTake, true));
     connect(m_newTake, &QComboBox::activated, this, [this](int index) {
         if (index >= 0)
             addTake(m_newTake->itemText(index));
@@ -181,7 +186,7 @@ void MotionSpacePage::addParameters()
     addField(
         "motionSpaceParameters", [] { return tr("Steered by"); }, m_parameters,
         [] { return tr("What its takes differ in: one to three parameters"); });
-    addWide("motionSpaceParameterButtons", inRow({m_addParameter, m_removeParameter}));
+    addWide("motionSpaceParameterButtons", inRow(m_addParameter, m_removeParameter, false));
     connect(m_addParameter, &QToolButton::clicked, this, [this] {
         edit(tr("Add a parameter"), "motionSpaceAddParameter", [](MotionSpaceEntry& after) {
             const QString base = tr("parameter");

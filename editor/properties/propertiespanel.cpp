@@ -10,6 +10,7 @@
 #include "editor/properties/brokenpage.h"
 #include "editor/properties/characterpage.h"
 #include "editor/properties/exportpage.h"
+#include "editor/properties/livepage.h"
 #include "editor/properties/motionspacepage.h"
 #include "editor/properties/projectionpage.h"
 #include "editor/properties/projectpage.h"
@@ -37,6 +38,7 @@ PropertiesPanel::PropertiesPanel(EditorContext& context, QWidget* parent)
                 {Section::Animations, new AnimationPage(context)},
                 {Section::Variations, new VariationPage(context)},
                 {Section::MotionSpaces, new MotionSpacePage(context)},
+                {Section::Lives, new LivePage(context)},
                 {Section::Appearances, new AppearancePage(context)},
                 {Section::Transfers, new TransferPage(context)},
                 {Section::Projections, new ProjectionPage(context)},

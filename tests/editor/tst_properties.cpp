@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "editor/commands/animationedits.h"
 #include "editor/commands/appearanceedits.h"
+#include "editor/commands/liveedits.h"
+#include "editor/commands/motionspaceedits.h"
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/fieldnote.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -99,6 +102,49 @@ private slots:
         document().undo();
         QVERIFY(entry() == look);
         QCOMPARE(duplicateAppearance(document(), "look"), QString("look 2"));
+    }
+
+    void showsAndEditsALivePerformance()
+    {
+        QCOMPARE(addMotionSpace(document(), "walking", {"walk"}), QString("walking"));
+        LiveEntry tour;
+        tour.name = "tour";
+        tour.spaces = {"walking"};
+        tour.inputs = {{0, {}}, {60, {}}};
+        tour.ticks = 120;
+        QCOMPARE(addLive(document(), tour), QString("tour"));
+        selection().select({Section::Lives, "tour"});
+        QCOMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("tour"));
+        QCOMPARE(test::find<QLabel>("liveSpaces")->text(), QString("walking"));
+        const double seconds = 60 / document().project().settings.fps;
+        QCOMPARE(test::find<QLabel>("liveLength")->text(),
+                 QLocale().toString(seconds, 'f', 1) + QString(" s, steered 1 time"));
+        const auto entry = [this] { return document().project().lives.front(); };
+        const auto set = [](const char* name, double value) {
+            test::find<QDoubleSpinBox>(name)->setValue(value);
+        };
+        set("livePlaceSecond", 1.5);
+        QVERIFY(entry().position == Vec2d(0, 1.5));
+        set("livePlaceSecond", 0);
+        QVERIFY(!entry().position);
+        set("liveHeading", 90);
+        QCOMPARE(entry().heading, 90.0);
+        set("liveDepth", 20);
+        QCOMPARE(entry().depth, 20);
+        set("liveFade", 0.5);
+        QCOMPARE(entry().fadeSeconds, 0.5);
+        set("liveAcross", 2);
+        QCOMPARE(entry().secondsAcross, 2.0);
+        set("liveLatencyWeight", 7);
+        QCOMPARE(entry().latencyWeight, 7.0);
+        set("liveResponsiveWeight", 50);
+        QCOMPARE(entry().responsiveWeight, 50.0);
+        test::find<QCheckBox>("liveContacts")->click();
+        QVERIFY(!entry().correctsContacts);
+        for (int edit = 0; edit < 9; ++edit)
+            document().undo();
+        QVERIFY(entry() == tour);
+        QCOMPARE(test::find<QDoubleSpinBox>("liveDepth")->value(), 12.0);
     }
 
     void renamesInPlaceAndRefusesATakenName()

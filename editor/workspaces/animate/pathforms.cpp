@@ -3,31 +3,15 @@
 #include "editor/workspaces/animate/pathforms.h"
 
 #include "editor/context/editorcontext.h"
+#include "editor/fields/axesfields.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/pathfields.h"
 #include "editor/workspaces/animate/pathtool.h"
 #include "model/project/results/openanimation.h"
 
 #include <QLocale>
-#include <array>
 
 namespace quadrille {
-
-namespace {
-
-/// The ground's axes in their order in the project.
-std::array<int, 2> groundAxes(const PathTool& tool)
-{
-    const int up = static_cast<int>(settingsOf(tool).axes.up);
-    return {up == 0 ? 1 : 0, up == 2 ? 1 : 2};
-}
-
-QString axisName(int axis)
-{
-    return QString(QLatin1Char(static_cast<char>('x' + axis)));
-}
-
-} // namespace
 
 PathForm::PathForm(PathTool& tool)
     : m_tool(tool), m_fields(*this, [this](const QString& text, const char* property, const auto& change) {
@@ -126,9 +110,7 @@ void ObstacleForm::addMiddle(const char* name, int axis)
     };
     m_fields.addNumber(
         {name,
-         [this, axis] {
-             return tr("Middle %1").arg(axisName(groundAxes(m_tool)[static_cast<std::size_t>(axis)]));
-         },
+         [this, axis] { return tr("Middle %1").arg(groundAxisName(settingsOf(m_tool).axes.up, axis)); },
          [] { return tr("Where the middle of the obstacle is on the ground"); },
          {},
          [] { return tr("Move an obstacle"); }},
