@@ -137,7 +137,8 @@ private:
     OpenedLiveGraphPointer m_graph;
     std::unique_ptr<LivePlayer> m_player;
     std::unique_ptr<LivePathFollower> m_follower;
-    std::int64_t m_followedTick = 0; ///< the last that the follower saw
+    std::int64_t m_followedTick = 0; ///< that the follower expects next
+    std::vector<double> m_walked;    ///< along the path, metres, by tick
     LiveStart m_start;
     Steer m_steer;
     LiveSteering m_steering;

@@ -21,6 +21,7 @@ void LiveSession::followPath(const std::optional<PathConstraint>& path)
     m_entry.position = pointOfFile(Ground(up).at(m_start.root.shift / m_graph->metresPerUnit, 0), up);
     m_entry.heading = m_start.root.turn * 180 / std::numbers::pi;
     m_follower = std::move(follower);
+    m_walked = {0};
     restart();
 }
 
@@ -34,8 +35,11 @@ void LiveSession::leavePath()
 
 bool LiveSession::followOn()
 {
+    const auto tick = static_cast<std::size_t>(state().tick);
     if (m_followedTick != state().tick)
-        m_follower->resume(state());
+        m_follower->resume(state(), m_walked[tick]);
+    m_walked.resize(tick);
+    m_walked.push_back(m_follower->walked());
     const LiveInput input = m_follower->next(state());
     m_followedTick = state().tick + 1;
     if (m_follower->isDone())

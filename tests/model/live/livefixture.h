@@ -21,6 +21,7 @@ struct SwingingSpace
     SpaceMeasure measure = SpaceMeasure::Speed;
     double least = 0.5; ///< metres a second, or degrees a second of turning
     double greatest = 2;
+    double stride = 0.04; ///< of a frame of turning, metres
 };
 
 inline constexpr double swingingFps = 30;
@@ -48,7 +49,7 @@ inline MotionSpace makeSpace(const SwingingSpace& made)
             for (const Vec3f& point : rest)
                 take.poses.push_back(point + Vec3f(sway * point.y(), lift, 0));
             take.steps.push_back(
-                turns ? GroundMotion{value * std::numbers::pi / 180 / swingingFps, Vec2d(0.04, 0)}
+                turns ? GroundMotion{value * std::numbers::pi / 180 / swingingFps, Vec2d(made.stride, 0)}
                       : GroundMotion{0, Vec2d(value / swingingFps, 0)});
             take.seconds.push_back(1 / swingingFps);
         }
@@ -75,6 +76,22 @@ inline std::shared_ptr<const LiveGraph> swingingGraph()
           SwingingSpace{
               .name = "turn", .frames = 24, .measure = SpaceMeasure::Turning, .least = -60, .greatest = 60},
           SwingingSpace{.name = "jump", .frames = 40, .isCyclic = false, .hop = 0.4}})
+        spaces.push_back(std::make_shared<const MotionSpace>(makeSpace(made)));
+    return std::make_shared<const LiveGraph>(makeLiveGraph(std::move(spaces), swingingFps));
+}
+
+/// Walks by speed, and turns by so many degrees a second on the way; jumps last.
+inline std::shared_ptr<const LiveGraph> curvingGraph(double most)
+{
+    std::vector<std::shared_ptr<const MotionSpace>> spaces;
+    for (const SwingingSpace& made : {SwingingSpace{.name = "walk"},
+                                      SwingingSpace{.name = "curve",
+                                      .frames = 24,
+                                      .measure = SpaceMeasure::Turning,
+                                      .least = -most,
+                                      .greatest = most,
+                                      .stride = 0.035},
+                                      SwingingSpace{.name = "jump", .frames = 40, .isCyclic = false}})
         spaces.push_back(std::make_shared<const MotionSpace>(makeSpace(made)));
     return std::make_shared<const LiveGraph>(makeLiveGraph(std::move(spaces), swingingFps));
 }
