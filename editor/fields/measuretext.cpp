@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 
 namespace quadrille {
 
@@ -18,7 +19,10 @@ struct MeasureText
 
 QString measureText(double value, SpaceMeasure measure)
 {
-    QString number = QLocale().toString(value, 'f', measure == SpaceMeasure::Turning ? 0 : 2);
+    const int decimals = measure == SpaceMeasure::Turning ? 0 : 2;
+    const double unit = std::pow(10.0, decimals);
+    const double rounded = std::round(value * unit) / unit + 0.0; // + 0: never “-0”
+    QString number = QLocale().toString(rounded, 'f', decimals);
     switch (measure) {
     case SpaceMeasure::Speed:
         return MeasureText::tr("%1 m/s").arg(number);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 // Motion spaces that are steered live: by keys, sliders and a gamepad; rewound, recorded, played again.
 #include "editor/commands/changeproject.h"
+#include "editor/commands/projectedits.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesteering.h"
 #include "livefixture.h"
+#include "model/core/file.h"
+#include "model/project/results/rebuild.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/playbackbar.h"
@@ -223,6 +226,64 @@ private slots:
         document().reset(Project());
         QVERIFY(!session().isReady());
         QVERIFY(document().project().lives.empty());
+    }
+
+    void takesBecomeAPerformanceThatIsBuiltToTheSameBytes()
+    {
+        open();
+        // A space of three takes.
+        writeTake("usual", {.period = 18, .step = 0.045, .size = 1.3});
+        SequenceEntry usual;
+        usual.name = "usual";
+        usual.source = m_folder->filePath("usual").toStdString();
+        addSequences(document(), {usual});
+        QVERIFY(test::waitForSequence(*m_window, "usual"));
+        context().selection.selectSequences({"slow", "usual", "fast"});
+        action("motionSpaces.new")->trigger();
+        QCOMPARE(document().project().motionSpaces.size(), std::size_t{3});
+        QCOMPARE(document().project().motionSpaces.back().takes.size(), std::size_t{3});
+        QTRY_VERIFY(session().isReady() && session().graph()->graph->spaces.size() == 3);
+        // Five seconds are steered and recorded.
+        session().want(2);
+        session().startRecording();
+        session().pause();
+        const auto fps = document().project().settings.fps;
+        const int ticks = static_cast<int>(5 * fps) * 2;
+        play(ticks / 3);
+        session().setParameter(0, session().steering().values()[0] * 1.3);
+        play(ticks / 3);
+        session().want(0);
+        play(ticks - 2 * (ticks / 3));
+        // Rewound, another way is gone from there.
+        session().goTo(ticks / 2);
+        session().want(1);
+        play(ticks / 2);
+        action("live.record")->trigger();
+        Project project = document().project();
+        LiveEntry& tour = project.lives.back();
+        QCOMPARE(tour.ticks, std::int64_t{ticks});
+        tour.correctsContacts = false;
+        const std::string clip = "live/" + tour.name;
+        ExportEntry& file = project.exports.emplace_back();
+        file.name = "tour";
+        file.what = clip;
+        file.format = "npy";
+        file.path = m_folder->filePath("out/tour.npy").toStdString();
+        document().push(std::make_unique<ChangeProject>(document(), "edit", project));
+        document().save();
+        // What was seen is what is written, however often.
+        const auto bytes = [&](bool force) {
+            QFile::remove(QString::fromStdString(file.path));
+            rebuild(document().project(), document().file(), {.targets = {"exports"}, .force = force}, {});
+            return std::string(readFile(file.path).text());
+        };
+        const std::string first = bytes(false);
+        QVERIFY(first == bytes(true));
+        QVERIFY(session().load(document().project().lives.back(), document().project().settings.axes));
+        session().goTo(ticks);
+        const auto last = session().pose();
+        QVERIFY(
+            first.ends_with(std::string_view(reinterpret_cast<const char*>(last.data()), last.size_bytes())));
     }
 
     void projectsWithoutSpacesAreExplained()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Takes that become one movement, in the tree and in the properties.
 #include "editor/context/editorcontext.h"
+#include "editor/fields/measuretext.h"
 #include "editor/fields/partlist.h"
 #include "editortest.h"
 #include "tests/model/variation/tubewalk.h"
@@ -58,6 +59,14 @@ private:
 
 private slots:
     void initTestCase() { test::isolate(); }
+
+    void nothingHasNoSign()
+    {
+        QCOMPARE(measureText(-0.3, SpaceMeasure::Turning), QStringLiteral("0 °/s"));
+        QCOMPARE(measureText(-0.001, SpaceMeasure::Speed), QStringLiteral("0.00 m/s"));
+        QCOMPARE(measureText(-12.6, SpaceMeasure::Turning), QStringLiteral("-13 °/s"));
+    }
+
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
