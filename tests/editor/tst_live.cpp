@@ -258,6 +258,7 @@ private slots:
         session().goTo(ticks / 2);
         session().want(1);
         play(ticks / 2);
+        const std::vector<float> seen(session().pose().begin(), session().pose().end());
         action("live.record")->trigger();
         Project project = document().project();
         LiveEntry& tour = project.lives.back();
@@ -279,11 +280,8 @@ private slots:
         };
         const std::string first = bytes(false);
         QVERIFY(first == bytes(true));
-        QVERIFY(session().load(document().project().lives.back(), document().project().settings.axes));
-        session().goTo(ticks);
-        const auto last = session().pose();
-        QVERIFY(
-            first.ends_with(std::string_view(reinterpret_cast<const char*>(last.data()), last.size_bytes())));
+        QVERIFY(first.ends_with(
+            std::string_view(reinterpret_cast<const char*>(seen.data()), seen.size() * sizeof(float))));
     }
 
     void projectsWithoutSpacesAreExplained()
