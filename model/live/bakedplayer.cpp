@@ -15,7 +15,7 @@ namespace quadrille {
 namespace {
 
 constexpr std::string_view magic = "QUADPLAY";
-constexpr std::uint32_t bakedVersion = 1;
+constexpr std::uint32_t bakedVersion = 2;
 constexpr std::size_t hashDigits = 32;
 
 /// What stands before the data.

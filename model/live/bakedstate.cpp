@@ -33,6 +33,7 @@ void bakeState(auto& bytes, auto& state)
     bakeTrack(bytes, state.track);
     bakeTrack(bytes, state.left);
     bakeAll(bytes, state.fade, state.way);
+    bakePoint(bytes, state.pace);
     bakeSize(bytes, state.target);
     bakeChoice(bytes, state.choice);
     bakePoint(bytes, state.wayStart);

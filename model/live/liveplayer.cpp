@@ -4,6 +4,7 @@
 
 #include "model/core/badargument.h"
 #include "model/live/groundfit.h"
+#include "model/live/movingplace.h"
 #include "model/parametric/hybridblend.h"
 
 #include <algorithm>
@@ -214,6 +215,7 @@ void LivePlayer::switchOver()
     track.root = fitOverGround(m_fitted, m_other, Ground(m_graph->up()));
     m_state.left = m_state.track;
     m_state.track = track;
+    m_state.pace = {};
     m_state.fade = 0;
     if (target.isCyclic)
         m_state.home = track.space;
@@ -226,30 +228,24 @@ void LivePlayer::switchOver()
 void LivePlayer::movePlace(const LiveInput& input, double seconds)
 {
     LiveTrack& track = m_state.track;
-    if (m_state.way == LiveState::Way::Leaving) {
-        const double share =
-            m_state.wayEnd > 0 ? std::clamp(m_state.wayFrames / m_state.wayEnd, 0.0, 1.0) : 1;
-        track.place = between(m_state.wayStart, m_state.choice.leavingPlace, share);
-        return;
-    }
-    if (m_state.way == LiveState::Way::Arriving) {
-        if (m_state.wayFrames < m_state.wayEnd) {
-            track.place = between(m_state.wayStart, m_state.wayGoal, m_state.wayFrames / m_state.wayEnd);
+    if (m_state.way != LiveState::Way::Free) {
+        const bool leaves = m_state.way == LiveState::Way::Leaving;
+        if (leaves || m_state.wayFrames < m_state.wayEnd) {
+            const SpacePoint before = track.place;
+            const double share =
+                m_state.wayEnd > 0 ? std::clamp(m_state.wayFrames / m_state.wayEnd, 0.0, 1.0) : 1;
+            track.place =
+                between(m_state.wayStart, leaves ? m_state.choice.leavingPlace : m_state.wayGoal, share);
+            for (std::size_t d = 0; d < before.size(); ++d)
+                m_state.pace[d] = (track.place[d] - before[d]) / seconds;
             return;
         }
         m_state.way = LiveState::Way::Free;
     }
-    if (input.space != track.space)
-        return;
-    const SpacePoint wanted = wantedPlace(track.space, input.parameters);
+    const SpacePoint wanted =
+        input.space == track.space ? wantedPlace(track.space, input.parameters) : track.place;
     const auto [least, greatest] = spaceOf(track).weights.range();
-    double steps = 0; // ranges that it is away
-    for (std::size_t d = 0; d < wanted.size(); ++d) {
-        if (greatest[d] > least[d])
-            steps = std::max(steps, std::abs(wanted[d] - track.place[d]) / (greatest[d] - least[d]));
-    }
-    const double reach = seconds / m_settings.secondsAcross;
-    track.place = steps <= reach ? wanted : between(track.place, wanted, reach / steps);
+    movePlaceTowards(wanted, least, greatest, m_settings.secondsAcross, seconds, track.place, m_state.pace);
 }
 
 double LivePlayer::play(LiveTrack& track, double& seconds, double most) const

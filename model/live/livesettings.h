@@ -37,7 +37,7 @@ struct LiveSettings
     TransitionSearchSettings search; ///< of transitions
     double responsiveWeight = 40;    ///< λ of IA4D eq. 4 where latency counts more, for a frame
     double fadeSeconds = 0.3;        ///< in which the target's surface takes over from the source's
-    double secondsAcross = 1;        ///< in which a place may go over all of its range
+    double secondsAcross = 1;        ///< in which a place may go over all of its range, at full pace
     double earliestLeave = 0.75;     ///< share of a space without a cycle that is played at least
     double latestArrival = 0.25;     ///< share of a space without a cycle within which it is entered
 

@@ -37,6 +37,7 @@ struct LiveState
     LiveTrack left;  ///< that fades out
     double fade = 1; ///< 0 at a switch, 1 once nothing is seen of what was left
     Way way = Way::Free;
+    SpacePoint pace{};      ///< of the track's place, in its axes a second
     std::size_t target = 0; ///< of Leaving
     TransitionChoice choice;
     SpacePoint wayStart{};   ///< the place where the way began

@@ -127,8 +127,8 @@ TEST_F(BakedFile, IsRefusedWhereItIsDamaged)
     bytes[0] = 'X';
     EXPECT_THAT(complaint(bytes), HasSubstr("does not begin as a player does"));
     bytes = good;
-    bytes[8] = 2;
-    EXPECT_THAT(complaint(bytes), HasSubstr("version 2"));
+    bytes[8] = 3;
+    EXPECT_THAT(complaint(bytes), HasSubstr("version 3"));
     bytes = good;
     bytes[1000] = static_cast<char>(bytes[1000] ^ 1);
     EXPECT_THAT(complaint(bytes), HasSubstr("not those that were written"));

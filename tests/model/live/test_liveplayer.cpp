@@ -98,14 +98,35 @@ TEST(LivePlayer, GoesAsFarInATickWhateverTheirRate)
 TEST(LivePlayer, GoesToWantedParametersNoFasterThanItMay)
 {
     const auto graph = swingingGraph();
-    LivePlayer player(graph, {.ticksPerFrame = 2, .secondsAcross = 0.5},
+    constexpr double range = 1.5;
+    constexpr double across = 0.5;
+    LivePlayer player(graph, {.ticksPerFrame = 2, .secondsAcross = across},
                       {.space = walking, .parameters = {0.5}});
-    for (int t = 1; t <= 30; ++t) {
-        player.tick({.space = walking, .parameters = {2}});
-        EXPECT_NEAR(player.state().track.place[0], 0.5 + 1.5 * t / 30, 1e-9) << t;
+    const double dt = player.tickSeconds();
+    double place = player.state().track.place[0];
+    double pace = 0;
+    // There, half of the way back, and there again: never faster, never changing pace at once, never beyond.
+    int arrived = 0;
+    for (int t = 1; t <= 120; ++t) {
+        const double wanted = t <= 60 || t > 70 ? 2 : 0.5;
+        player.tick({.space = walking, .parameters = {wanted}});
+        const double next = player.state().track.place[0];
+        EXPECT_LE(std::abs(next - place) / dt, range / across * (1 + 1e-9)) << t;
+        EXPECT_LE(std::abs((next - place) / dt - pace), range / across / (across / 4) * dt * (1 + 1e-6)) << t;
+        EXPECT_GE(next, 0.5);
+        EXPECT_LE(next, 2);
+        pace = (next - place) / dt;
+        place = next;
+        if (arrived == 0 && next == 2)
+            arrived = t;
     }
+    EXPECT_GT(arrived * dt, across);
+    EXPECT_LT(arrived * dt, 1.5 * across);
+    EXPECT_EQ(place, 2);
+    EXPECT_EQ(player.state().pace[0], 0);
+    // Beyond its limits it goes nowhere.
     player.tick({.space = walking, .parameters = {9}});
-    EXPECT_NEAR(player.state().track.place[0], 2, 1e-9);
+    EXPECT_EQ(player.state().track.place[0], 2);
 }
 
 TEST(LivePlayer, MakesTheTransitionThatTheSearchFinds)
