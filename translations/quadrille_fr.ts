@@ -1460,6 +1460,18 @@
         <source>turned only</source>
         <translation>rotations seules</translation>
     </message>
+    <message>
+        <source>what is about them</source>
+        <translation>ce qui les entoure</translation>
+    </message>
+    <message>
+        <source>pairs stand for</source>
+        <translation>les paires valent pour</translation>
+    </message>
+    <message>
+        <source>single triangles</source>
+        <translation>des triangles seuls</translation>
+    </message>
 </context>
 <context>
     <name>FrameKind</name>
@@ -13384,6 +13396,22 @@ maximal %2</translation>
         <source>frame</source>
         <translation>image</translation>
     </message>
+    <message>
+        <source>Directions of limbs</source>
+        <translation>Directions des membres</translation>
+    </message>
+    <message>
+        <source>Directions of feet</source>
+        <translation>Directions des pieds</translation>
+    </message>
+    <message>
+        <source>The mean angle by which lower arms and legs point elsewhere than the template’s</source>
+        <translation>L’angle moyen dont avant-bras et jambes sont dirigés autrement que ceux du gabarit</translation>
+    </message>
+    <message>
+        <source>The mean angle by which feet point elsewhere than the template’s</source>
+        <translation>L’angle moyen dont les pieds sont dirigés autrement que ceux du gabarit</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::TransferEdits</name>
@@ -13489,6 +13517,14 @@ maximal %2</translation>
     <message>
         <source>A take of the body that shows what the result ought to be, for the evaluation of transfers; the result does not depend on it</source>
         <translation>Une prise du corps qui montre ce que le résultat devrait être, pour l’évaluation des transferts ; le résultat n’en dépend pas</translation>
+    </message>
+    <message>
+        <source>Hold surroundings</source>
+        <translation>Tenir les alentours</translation>
+    </message>
+    <message>
+        <source>Each pair stands for what lies about it, some 8 cm on a grown-up, so that bends stay where they are however fine the body is; else for single triangles</source>
+        <translation>Chaque paire vaut pour ce qui l’entoure, sur quelque 8 cm chez un adulte, si bien que les plis restent où ils sont, si fin que soit le corps ; sinon pour des triangles seuls</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@ struct TransferNames
     const char* scale;
     const char* poses;
     const char* stretch;
+    const char* surroundings;
     const char* contacts;
     const char* truth;
 };
@@ -118,6 +119,14 @@ void addTransferSettings(FieldForm<TransferEntry, Form>& fields, const TransferN
                               "rotations only");
                       }},
                      &TransferEntry::carriesStretch);
+    fields.addSwitch({names.surroundings, [] { return TransferTexts::tr("Hold surroundings"); },
+                      [] {
+                          return TransferTexts::tr(
+                              "Each pair stands for what lies about it, some 8 cm on a grown-up, so that "
+                              "bends stay where they are however fine the body is; else for single "
+                              "triangles");
+                      }},
+                     &TransferEntry::marksSurroundings);
     fields.addSwitch(
         {names.contacts, [] { return TransferTexts::tr("Correct contacts"); },
          [] { return TransferTexts::tr("Feet that stand in the clip stand still in the result as well"); }},

@@ -19,6 +19,7 @@ constexpr TransferNames pageNames{.clip = "transferClip",
                                   .scale = "transferScale",
                                   .poses = "transferPoses",
                                   .stretch = "transferStretch",
+                                  .surroundings = "transferSurroundings",
                                   .contacts = "transferContacts",
                                   .truth = "transferTruth"};
 

@@ -20,6 +20,10 @@ constexpr std::size_t landmarks = 5;
 constexpr std::size_t headLandmark = 4;
 /// How much of a distance over the body two opposite normals are worth.
 constexpr float normalWeight = 0.15F;
+/// Legs differ less in length, against the body, than ways that clothes lengthen: how far a place is from a
+/// foot counts by itself up to a share of the body's length, and by so much.
+constexpr float footWeight = 4;
+constexpr float footReach = 0.6F;
 /// A pair whose places differ so much is worth half.
 constexpr double halfQuality = 0.12;
 
@@ -36,16 +40,17 @@ constexpr std::size_t firstWayAcross = 6;
 struct Reach
 {
     BodyRegion end;
-    float endReach; ///< shares of the ways from feet to head; so for the next
+    float endReach; ///< shares of the body's length; so for `upperReach`
     BodyRegion upper;
     float upperReach;
+    float endShare; ///< at most so much of a limb whose root clothes hide
 };
 constexpr std::array<Reach, landmarks> reaches{
-    {{BodyRegion::LeftLowerArm, 0.26F, BodyRegion::LeftUpperArm, 0.42F},
-     {BodyRegion::RightLowerArm, 0.26F, BodyRegion::RightUpperArm, 0.42F},
-     {BodyRegion::LeftShin, 0.28F, BodyRegion::LeftThigh, 0.47F},
-     {BodyRegion::RightShin, 0.28F, BodyRegion::RightThigh, 0.47F},
-     {BodyRegion::Head, 0.16F, BodyRegion::Trunk, 0.16F}}};
+    {{BodyRegion::LeftLowerArm, 0.26F, BodyRegion::LeftUpperArm, 0.42F, 0.62F},
+     {BodyRegion::RightLowerArm, 0.26F, BodyRegion::RightUpperArm, 0.42F, 0.62F},
+     {BodyRegion::LeftShin, 0.4F, BodyRegion::LeftThigh, 0.54F, 0.8F},
+     {BodyRegion::RightShin, 0.4F, BodyRegion::RightThigh, 0.54F, 0.8F},
+     {BodyRegion::Head, 0.18F, BodyRegion::Trunk, 0.18F, 1}}};
 
 /// The landmarks of a body: the distances of all vertices from each.
 struct Landmarks
@@ -83,24 +88,68 @@ Landmarks landmarksOf(const SurfaceGraph& graph, UpAxis up, const Progress& prog
     return found;
 }
 
-/// The mean way from the feet to the head over the surface.
-float heightOver(const Landmarks& found)
+/// How long the way from one landmark to another is with its folds smoothed out, those of clothes: through
+/// the middles of what lies about the shortest one, each over a sixth of it.
+float straightWay(const SurfaceGraph& graph, const std::vector<float>& from, const std::vector<float>& to)
 {
-    const std::vector<float>& head = found.distances[headLandmark];
-    float sum = 0;
-    for (const std::size_t foot : {std::size_t{2}, std::size_t{3}})
-        sum += head[static_cast<std::size_t>(std::ranges::min_element(found.distances[foot]) -
-                                             found.distances[foot].begin())];
-    return sum / 2;
+    constexpr std::size_t steps = 12;
+    constexpr float reach = 1.5F;  // of a middle, steps
+    constexpr float aside = 0.04F; // of the way, by which others may be longer
+    const float way = to[static_cast<std::size_t>(std::ranges::min_element(from) - from.begin())];
+    std::array<Vec3f, steps + 1> middles;
+    std::array<float, steps + 1> weights{};
+    middles.fill(Vec3f::Zero());
+    for (std::uint32_t v = 0; v < graph.vertexCount(); ++v) {
+        const float detour = (from[v] + to[v] - way) / (aside * way);
+        const float weight = std::isfinite(detour) ? std::exp(-detour * detour) : 0;
+        const float at = steps * (from[v] - to[v] + way) / (2 * way);
+        for (std::size_t k = 0; k <= steps; ++k) {
+            const float near = weight * std::max(0.0F, 1 - std::abs(at - static_cast<float>(k)) / reach);
+            if (near > 0) {
+                middles[k] += near * graph.pose()[v];
+                weights[k] += near;
+            }
+        }
+    }
+    float length = 0;
+    for (std::size_t k = 0; k < steps; ++k)
+        length += (middles[k + 1] / weights[k + 1] - middles[k] / weights[k]).norm();
+    return length;
+}
+
+/// From the feet to the head.
+float bodyLength(const SurfaceGraph& graph, const Landmarks& found)
+{
+    const auto& distances = found.distances;
+    return (straightWay(graph, distances[2], distances[headLandmark]) +
+            straightWay(graph, distances[3], distances[headLandmark])) /
+           2;
+}
+
+/// How far each limb reaches at most, where ways from its end to others part; infinite for the head.
+std::array<float, landmarks> limbLengths(const Landmarks& found)
+{
+    const auto& distances = found.distances;
+    std::array<std::size_t, landmarks> tips{};
+    for (std::size_t l = 0; l < landmarks; ++l)
+        tips[l] = static_cast<std::size_t>(std::ranges::min_element(distances[l]) - distances[l].begin());
+    const auto parting = [&](std::size_t from, std::size_t one, std::size_t other) {
+        return (distances[from][tips[one]] + distances[from][tips[other]] - distances[one][tips[other]]) / 2;
+    };
+    return {parting(0, 2, headLandmark), parting(1, 3, headLandmark), parting(2, 3, headLandmark),
+            parting(3, 2, headLandmark), std::numeric_limits<float>::infinity()};
 }
 
 /// By the landmark that is nearest, and how far that is.
-BodyRegion regionAt(const std::array<float, landmarks>& distances, float height)
+BodyRegion regionAt(const std::array<float, landmarks>& distances, float length,
+                    const std::array<float, landmarks>& limbs)
 {
     const auto nearest = std::ranges::min_element(distances);
-    const float share = *nearest / height;
-    const Reach& reach = reaches[static_cast<std::size_t>(nearest - distances.begin())];
-    return share < reach.endReach ? reach.end : share < reach.upperReach ? reach.upper : BodyRegion::Trunk;
+    const auto landmark = static_cast<std::size_t>(nearest - distances.begin());
+    const Reach& reach = reaches[landmark];
+    return *nearest < std::min(reach.endReach * length, reach.endShare * limbs[landmark]) ? reach.end
+           : *nearest < std::min(reach.upperReach * length, limbs[landmark])              ? reach.upper
+                                                                                          : BodyRegion::Trunk;
 }
 
 } // namespace
@@ -121,7 +170,8 @@ BodyPlaces::BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs,
     }
     Eigen::Matrix3d axes;
     axes << found.across.transpose(), found.up.transpose(), found.across.cross(found.up).transpose();
-    const float height = heightOver(found);
+    const float length = bodyLength(graph, found);
+    const std::array<float, landmarks> limbs = limbLengths(found);
     for (std::size_t t = 0; t < m_places.size(); ++t) {
         const auto own = solid.triangleOf(TriangleIndex(t));
         if (!own)
@@ -137,6 +187,9 @@ BodyPlaces::BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs,
             const auto& [from, to] = ways[w];
             place.values[static_cast<Eigen::Index>(w)] = distances[from] / (distances[from] + distances[to]);
         }
+        for (std::size_t foot = 0; foot < 2; ++foot)
+            place.values[static_cast<Eigen::Index>(ways.size() + foot)] =
+                footWeight * std::min(distances[2 + foot] / length, footReach);
         const auto corner = [&](std::size_t c) -> Vec3d {
             return graph.pose()[triangle[c].value].cast<double>();
         };
@@ -145,7 +198,8 @@ BodyPlaces::BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs,
         if (!place.isUsable)
             continue;
         place.values.tail<3>() = normalWeight * (axes * normal.normalized()).cast<float>();
-        place.region = regionAt(distances, height);
+        place.region = regionAt(distances, length, limbs);
+        place.fromEnd = *std::ranges::min_element(distances) / length;
     }
 }
 
@@ -176,7 +230,8 @@ std::optional<TriangleIndex> BodyPlaces::mirrored(TriangleIndex triangle) const
         const float share = own[static_cast<Eigen::Index>(mirroredWays[w])];
         values[static_cast<Eigen::Index>(w)] = w < firstWayAcross ? share : 1 - share;
     }
-    values[static_cast<Eigen::Index>(ways.size())] *= -1; // what faces left then faces right
+    std::swap(values[ways.size()], values[ways.size() + 1]);
+    values[static_cast<Eigen::Index>(ways.size() + 2)] *= -1; // what faces left then faces right
     return nearest(values);
 }
 

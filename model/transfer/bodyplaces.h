@@ -46,6 +46,12 @@ public:
     bool knows(TriangleIndex triangle) const { return m_places[triangle.value].isUsable; }
     /// \pre knows(triangle).
     BodyRegion regionOf(TriangleIndex triangle) const { return m_places[triangle.value].region; }
+    /// How far over the surface it is from the hand, foot or head that is nearest, of the body's length.
+    /// \pre knows(triangle).
+    double fromEnd(TriangleIndex triangle) const
+    {
+        return static_cast<double>(m_places[triangle.value].fromEnd);
+    }
     /// The triangle that is most at the place of another body's, by `knows`; nothing where none is known.
     /// \pre of.knows(triangle). Cost: O(triangles); so for `mirrored`.
     std::optional<TriangleIndex> nearest(const BodyPlaces& of, TriangleIndex triangle) const;
@@ -56,12 +62,13 @@ public:
     static double likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB);
 
 private:
-    /// Shares of ways between landmarks, and the direction that the place faces.
-    using Values = Eigen::Matrix<float, 11, 1>;
+    /// Shares of ways between landmarks, how far the feet are, and the direction that the place faces.
+    using Values = Eigen::Matrix<float, 13, 1>;
     struct Place
     {
         Values values = Values::Zero();
         BodyRegion region = BodyRegion::Trunk;
+        float fromEnd = 0;
         bool isUsable = false;
     };
 

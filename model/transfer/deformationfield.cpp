@@ -98,8 +98,8 @@ void stretchTriangles(std::size_t count, const std::array<int, 3>* rows, const d
 } // namespace
 
 DeformationField::DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks,
-                                   FieldKind kind)
-    : m_system(&system), m_marks(std::move(marks)), m_kind(kind), m_field(system, m_marks)
+                                   FieldKind kind, std::span<const std::vector<std::uint32_t>> held)
+    : m_system(&system), m_marks(std::move(marks)), m_kind(kind), m_field(system, m_marks, held)
 {
 }
 

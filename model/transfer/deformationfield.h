@@ -25,8 +25,9 @@ enum class FieldKind
 class DeformationField
 {
 public:
-    /// \param system  must outlive the field. \param marks  as for HarmonicField.
-    DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind);
+    /// \param system  must outlive the field. \param marks, held  as for HarmonicField.
+    DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind,
+                     std::span<const std::vector<std::uint32_t>> held = {});
 
     /// The rotations at the vertices.
     /// \param marks  those of the marked triangles, unit quaternions whose signs go together, see

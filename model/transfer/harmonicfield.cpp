@@ -81,7 +81,8 @@ HarmonicSystem::HarmonicSystem(const SolidTarget& target, const Edges& edges)
         m_triangleRows.push_back({rowOf(t[0].value), rowOf(t[1].value), rowOf(t[2].value)});
 }
 
-HarmonicField::HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks)
+HarmonicField::HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks,
+                             std::span<const std::vector<std::uint32_t>> held)
     : m_system(&system)
 {
     std::map<int, int> marksAt; // of each row that is given
@@ -89,23 +90,28 @@ HarmonicField::HarmonicField(const HarmonicSystem& system, std::span<const std::
         for (const int row : system.triangleRows()[mark])
             ++marksAt[row];
     }
+    for (std::size_t m = 0; m < marks.size(); ++m) {
+        for (const int row : system.triangleRows()[marks[m]])
+            m_given.push_back({static_cast<std::size_t>(row), m, holdWeight / marksAt.at(row)});
+    }
+    for (std::size_t m = 0; m < held.size(); ++m) {
+        for (const std::uint32_t vertex : held[m]) {
+            m_given.push_back({static_cast<std::size_t>(system.rowOf(vertex)), m, holdWeight});
+            marksAt[system.rowOf(vertex)] = 1;
+        }
+    }
     std::vector<double> values = system.values();
     for (const auto& [row, count] : marksAt)
         values[static_cast<std::size_t>(row)] += holdWeight;
     m_factor.factorise(system.pattern(), values);
-    m_corners.reserve(3 * marks.size());
-    for (std::size_t m = 0; m < marks.size(); ++m) {
-        for (const int row : system.triangleRows()[marks[m]])
-            m_corners.push_back({static_cast<std::size_t>(row), m, holdWeight / marksAt.at(row)});
-    }
 }
 
 void HarmonicField::solve(std::span<const Value> values, std::vector<double>& x) const
 {
     x.assign((static_cast<std::size_t>(m_system->pattern().size()) + 1) * lanes, 0.0);
-    for (const Corner& corner : m_corners) {
+    for (const Given& given : m_given) {
         for (std::size_t l = 0; l < lanes; ++l)
-            x[corner.row * lanes + l] += corner.share * values[corner.mark][l];
+            x[given.row * lanes + l] += given.share * values[given.mark][l];
     }
     m_factor.solve(x);
 }

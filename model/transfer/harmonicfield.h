@@ -6,6 +6,7 @@
 #include "model/transfer/solidtarget.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -45,24 +46,27 @@ public:
     static constexpr std::size_t lanes = CholeskyFactor::lanes;
     using Value = std::array<double, lanes>;
 
-    /// \param marks  triangles of the target, at least one, each once. Cost: one numeric factorisation.
-    HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks);
+    /// \param marks  triangles of the target, at least one, each once. \param held  of each mark more
+    /// vertices that have its value, corners of no mark, each of one mark; or empty. Cost: one numeric
+    /// factorisation.
+    HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks,
+                  std::span<const std::vector<std::uint32_t>> held = {});
 
     /// \param values  at the marks. Where marked triangles share a corner it has their mean.
     /// \param x  (rows + 1) × 4: the field at the vertices, in the order of HarmonicSystem::rowOf.
     void solve(std::span<const Value> values, std::vector<double>& x) const;
 
 private:
-    struct Corner
+    struct Given
     {
         std::size_t row = 0;
         std::size_t mark = 0;
-        double share = 0; ///< of the mark in the corner's value, times the weight that holds it
+        double share = 0; ///< of the mark in the row's value, times the weight that holds it
     };
 
     const HarmonicSystem* m_system;
     CholeskyFactor m_factor;
-    std::vector<Corner> m_corners;
+    std::vector<Given> m_given;
 };
 
 } // namespace quadrille

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "model/transfer/marktracker.h"
 
+#include "model/geometry/procrustes.h"
 #include "model/geometry/trianglelogs.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
+#include <utility>
 
 namespace quadrille {
 
@@ -26,6 +28,30 @@ Eigen::Quaterniond meanRotation(std::span<const Eigen::Quaterniond> rotations)
     return Eigen::Quaterniond(Eigen::Vector4d(axes.eigenvectors().col(3)));
 }
 
+/// The mean over a patch; nothing where no triangle of it has an area.
+std::optional<Eigen::Quaterniond> rotationOf(std::span<const Surroundings::Near> near,
+                                             const TriangleLogs& logs, const std::vector<bool>& isSound)
+{
+    const auto turnOf = [&logs](std::size_t t) {
+        const double sine = std::sin(logs.halfAngle[t]);
+        return Eigen::Quaterniond(logs.cosine[t], sine * logs.axisX[t], sine * logs.axisY[t],
+                                  sine * logs.axisZ[t]);
+    };
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    std::size_t count = 0;
+    std::size_t last = 0;
+    for (const Surroundings::Near& each : near) {
+        if (!isSound[each.triangle])
+            continue;
+        sum += each.weight * turnOf(each.triangle).toRotationMatrix();
+        last = each.triangle;
+        ++count;
+    }
+    if (count == 0)
+        return std::nullopt;
+    return count == 1 ? turnOf(last) : rotationOfCovariance(sum);
+}
+
 void negate(Eigen::Quaterniond& q)
 {
     q.coeffs() = -q.coeffs();
@@ -33,29 +59,34 @@ void negate(Eigen::Quaterniond& q)
 
 } // namespace
 
-MarkTracker::MarkTracker(std::vector<Triangle> triangles, Positions reference)
-    : m_triangles(std::move(triangles)), m_reference(poseFrames(m_triangles, reference))
+MarkTracker::MarkTracker(MarkPatches patches, Positions reference)
+    : m_patches(std::move(patches)), m_reference(poseFrames(m_patches.triangles, reference))
 {
 }
 
 MarkDeformations MarkTracker::next(Positions frame)
 {
-    const PoseFrames frames = poseFrames(m_triangles, frame);
+    const PoseFrames frames = poseFrames(m_patches.triangles, frame);
     const TriangleLogs logs = triangleLogs(m_reference, frames, Eigen::Quaterniond::Identity());
-    std::vector<int> degenerate;
-    std::ranges::set_union(m_reference.degenerate, frames.degenerate, std::back_inserter(degenerate));
+    std::vector<bool> isSound(m_patches.triangles.size(), true);
+    for (const std::vector<int>* degenerate : {&std::as_const(m_reference).degenerate, &frames.degenerate}) {
+        for (const int t : *degenerate)
+            isSound[static_cast<std::size_t>(t)] = false;
+    }
     MarkDeformations now;
     std::vector<Eigen::Quaterniond> sound;
-    for (std::size_t m = 0; m < m_triangles.size(); ++m) {
-        const double sine = std::sin(logs.halfAngle[m]);
-        now.rotations.emplace_back(logs.cosine[m], sine * logs.axisX[m], sine * logs.axisY[m],
-                                   sine * logs.axisZ[m]);
-        if (!std::ranges::binary_search(degenerate, static_cast<int>(m)))
-            sound.push_back(now.rotations.back());
+    std::vector<std::size_t> lost;
+    for (const std::vector<Surroundings::Near>& near : m_patches.near) {
+        const auto rotation = rotationOf(near, logs, isSound);
+        if (rotation)
+            sound.push_back(*rotation);
+        else
+            lost.push_back(now.rotations.size());
+        now.rotations.push_back(rotation.value_or(Eigen::Quaterniond::Identity()));
     }
     now.root = sound.empty() ? Eigen::Quaterniond::Identity() : meanRotation(sound);
-    for (const int m : degenerate)
-        now.rotations[static_cast<std::size_t>(m)] = now.root;
+    for (const std::size_t m : lost)
+        now.rotations[m] = now.root;
     if (now.root.dot(m_rootBefore) < 0)
         negate(now.root);
     if (m_before.empty())

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "model/transfer/pairproposal.h"
 
+#include "model/geometry/trianglelogs.h"
 #include "model/transfer/bodyplaces.h"
+#include "model/transfer/solidtarget.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -12,24 +16,120 @@ namespace quadrille {
 
 namespace {
 
-/// Triangles of a pose that lie far from each other.
-std::vector<TriangleIndex> spreadOver(const PosedMesh& mesh, const BodyPlaces& places, std::size_t count)
+/// How far from each other two places that always turn against each other by a half turn count to be beyond
+/// the way between them, of the root of the body's area.
+constexpr double bendShare = 0.2;
+/// Over which way turns are evened out, of the root of the body's area: single triangles are noisy. In rounds
+/// of means over neighbours, so many at most.
+constexpr double eveningShare = 0.04;
+constexpr int mostRounds = 20;
+
+/// A matrix with a row of numbers for each triangle of a mesh.
+using TriangleRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// What even means over a surface are made of.
+struct Evening
 {
-    std::vector<Vec3d> middles;
-    middles.reserve(places.size());
-    for (const Triangle& t : mesh.topology->triangles())
-        middles.push_back(middleOf(t, mesh.positions));
-    std::vector<double> distances(places.size());
-    for (std::size_t t = 0; t < places.size(); ++t)
-        distances[t] = places.knows(TriangleIndex(t)) ? std::numeric_limits<double>::max() : -1;
+    explicit Evening(const PosedMesh& mesh);
+
+    /// Some rounds of means over the triangles at each vertex, and back.
+    void apply(std::vector<Eigen::Matrix3f>& values) const;
+
+    std::vector<Triangle> triangles; ///< their corners by what vertices at one place are
+    std::vector<float> areas;
+    std::size_t vertices = 0;
+    double area = 0;
+};
+
+Evening::Evening(const PosedMesh& mesh)
+{
+    const SolidTarget solid(*mesh.topology, mesh.positions);
+    vertices = solid.positions().size();
+    for (const Triangle& t : mesh.topology->triangles()) {
+        const auto corner = [&](std::size_t c) -> const Vec3f& { return mesh.positions[t[c].value]; };
+        areas.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2);
+        area += static_cast<double>(areas.back());
+        Triangle& own = triangles.emplace_back(t);
+        for (VertexIndex& v : own)
+            v = VertexIndex(solid.vertices()[v.value]);
+    }
+}
+
+void Evening::apply(std::vector<Eigen::Matrix3f>& values) const
+{
+    std::vector<Eigen::Matrix3f> sums(vertices);
+    std::vector<float> weights(vertices);
+    const double edge = 1.5 * std::sqrt(area / static_cast<double>(triangles.size()));
+    const double way = eveningShare * std::sqrt(area) / edge;
+    const int rounds = std::clamp(static_cast<int>(std::lround(way * way)), 1, mostRounds);
+    for (int round = 0; round < rounds; ++round) {
+        std::ranges::fill(sums, Eigen::Matrix3f::Zero());
+        std::ranges::fill(weights, 0.0F);
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            for (const VertexIndex v : triangles[t]) {
+                sums[v.value] += areas[t] * values[t];
+                weights[v.value] += areas[t];
+            }
+        }
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            if (areas[t] == 0)
+                continue;
+            values[t].setZero();
+            for (const VertexIndex v : triangles[t])
+                values[t] += sums[v.value] / (3 * weights[v.value]);
+        }
+    }
+}
+
+/// For each triangle where it is and how it turns in each pose, so that distances between them say how far
+/// from each other marks should be.
+TriangleRows waysAndTurns(const PosedMesh& reference, std::span<const std::vector<Vec3f>> performed)
+{
+    const std::vector<Triangle>& triangles = reference.topology->triangles();
+    const Evening evening(reference);
+    TriangleRows rows(triangles.size(), 3 + 9 * performed.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        rows.row(static_cast<Eigen::Index>(t)).head<3>() =
+            middleOf(triangles[t], reference.positions).cast<float>().transpose();
+    if (performed.empty())
+        return rows;
+    // Matrices of opposite rotations are this far from each other.
+    const double opposite = std::sqrt(8.0 * static_cast<double>(performed.size()));
+    const auto scale = static_cast<float>(bendShare * std::sqrt(evening.area) / opposite);
+    const PoseFrames rest = poseFrames(triangles, reference.positions);
+    for (std::size_t p = 0; p < performed.size(); ++p) {
+        const TriangleLogs logs =
+            triangleLogs(rest, poseFrames(triangles, performed[p]), Eigen::Quaterniond::Identity());
+        std::vector<Eigen::Matrix3f> turns(triangles.size());
+        for (std::size_t t = 0; t < triangles.size(); ++t) {
+            const double sine = std::sin(logs.halfAngle[t]);
+            turns[t] = Eigen::Quaterniond(logs.cosine[t], sine * logs.axisX[t], sine * logs.axisY[t],
+                                          sine * logs.axisZ[t])
+                           .toRotationMatrix()
+                           .cast<float>();
+        }
+        evening.apply(turns);
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            rows.row(static_cast<Eigen::Index>(t)).segment<9>(static_cast<Eigen::Index>(3 + 9 * p)) =
+                scale * turns[t].reshaped<Eigen::RowMajor>().transpose();
+    }
+    return rows;
+}
+
+/// Triangles that lie far from each other.
+std::vector<TriangleIndex> spreadOver(const TriangleRows& rows, const BodyPlaces& places, std::size_t count)
+{
+    Eigen::VectorXf distances(rows.rows());
+    for (Eigen::Index t = 0; t < rows.rows(); ++t)
+        distances[t] =
+            places.knows(TriangleIndex(static_cast<std::size_t>(t))) ? std::numeric_limits<float>::max() : -1;
     std::vector<TriangleIndex> chosen;
     while (chosen.size() < count) {
-        const auto next = static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin());
-        if (distances[next] <= 0)
+        Eigen::Index next = 0;
+        if (distances.maxCoeff(&next) <= 0)
             break;
-        chosen.emplace_back(next);
-        for (std::size_t t = 0; t < distances.size(); ++t)
-            distances[t] = std::min(distances[t], (middles[t] - middles[next]).squaredNorm());
+        chosen.emplace_back(static_cast<std::size_t>(next));
+        distances = distances.cwiseMin((rows.rowwise() - rows.row(next)).rowwise().squaredNorm());
     }
     return chosen;
 }
@@ -37,13 +137,14 @@ std::vector<TriangleIndex> spreadOver(const PosedMesh& mesh, const BodyPlaces& p
 } // namespace
 
 std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMesh& target, UpAxis up,
-                                       std::size_t count, const Progress& progress)
+                                       std::span<const std::vector<Vec3f>> performed, std::size_t count,
+                                       const Progress& progress)
 {
     const BodyPlaces from(reference, up, ErrorCode::TransferNoLimbsOfTemplate, progress.part(0, 0.4));
     const BodyPlaces onto(target, up, ErrorCode::TransferNoLimbsOfTarget, progress.part(0.4, 0.8));
     std::vector<ProposedPair> pairs;
     std::set<TriangleIndex> taken;
-    for (const TriangleIndex triangle : spreadOver(reference, from, count)) {
+    for (const TriangleIndex triangle : spreadOver(waysAndTurns(reference, performed), from, count)) {
         const std::optional<TriangleIndex> best = onto.nearest(from, triangle);
         progress.report(0.8 + 0.2 * static_cast<double>(pairs.size()) / static_cast<double>(count));
         if (best && taken.insert(*best).second)

@@ -21,11 +21,11 @@ constexpr std::size_t marksANeighbour = 20;
 /// What the way that a place faces is worth against the ways to its neighbours.
 constexpr double normalShare = 0.5;
 /// What it is worth that neighbours turn alike against the ways between them.
-constexpr double smoothness = 0.05;
+constexpr double smoothness = 0.02;
 constexpr int rounds = 50;
 /// Turns up to the first angle are not carried, from the second on all of them, radians.
 constexpr double ignored = 8 * std::numbers::pi / 180;
-constexpr double carried = 20 * std::numbers::pi / 180;
+constexpr double carried = 14 * std::numbers::pi / 180;
 
 /// Where marked triangles are and where they face, their middles about their mean, the spread one.
 struct MarkedPlaces

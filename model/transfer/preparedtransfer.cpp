@@ -44,7 +44,7 @@ PreparedTransfer::PreparedTransfer(const MeshSequence& clip, const PosedMesh& re
     : m_vertices(target.positions.size())
     , m_turn(turnOntoTemplate(reference, target, pairs, settings.up))
     , m_sizeRatio(ratioOfSizes(target.positions, reference.positions, settings.up))
-    , m_solver(std::move(solid), marksOf(pairs), settings.field)
+    , m_solver(std::move(solid), marksOf(pairs), settings.field, settings.marksSurroundings)
     , m_volume(*target.topology)
     , m_volumeAtRest(m_volume.of(target.positions).value_or(0))
 {
@@ -62,10 +62,12 @@ void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& referen
     std::vector<Triangle> triangles;
     for (const TrianglePair& pair : pairs)
         triangles.push_back(clip.topology->triangles()[pair.onTemplate.value]);
-    MarkTracker tracker(triangles, reference.positions);
+    MarkTracker tracker(settings.marksSurroundings ? patchesAbout(reference, pairs, PatchReach::NextMark)
+                                                   : singleTriangles(triangles),
+                        reference.positions);
     std::optional<StretchTracker> stretches;
     if (settings.carriesStretch)
-        stretches.emplace(reference, pairs);
+        stretches.emplace(patchesAbout(reference, pairs, PatchReach::Whole), reference.positions);
     m_course.fps = clip.fps;
     const std::int64_t count = clip.frameCount();
     m_course.stands = standingFrames(clip.contacts, count);

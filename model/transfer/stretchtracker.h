@@ -3,10 +3,9 @@
 #pragma once
 
 #include "model/geometry/poseframes.h"
-#include "model/transfer/transferclip.h"
+#include "model/transfer/surroundings.h"
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 namespace quadrille {
@@ -17,24 +16,17 @@ namespace quadrille {
 class StretchTracker
 {
 public:
-    /// \param reference  the pose that stretches are counted from. \throws Error as SolidTarget. Cost: for
-    /// each pair the surface distances up to the radius.
-    StretchTracker(const PosedMesh& reference, std::span<const TrianglePair> pairs);
+    /// \param patches  over which stretches are means. \param reference  the pose that they are counted from,
+    /// all vertices, metres.
+    StretchTracker(MarkPatches patches, Positions reference);
 
-    /// \param frame  all vertices, metres. \return for each pair a symmetric matrix in the axes of the
+    /// \param frame  all vertices, metres. \return for each mark a symmetric matrix in the axes of the
     /// reference pose; the identity where the surface is as in that. Cost: O(triangles near marks).
     std::vector<Eigen::Matrix3d> next(Positions frame) const;
 
 private:
-    struct Near
-    {
-        std::size_t triangle = 0; ///< of m_triangles
-        double weight = 0;
-    };
-
-    std::vector<Triangle> m_triangles; ///< of the template, near any mark
+    MarkPatches m_patches;
     PoseFrames m_reference;
-    std::vector<std::vector<Near>> m_near; ///< of each pair
 };
 
 } // namespace quadrille

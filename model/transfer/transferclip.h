@@ -40,6 +40,9 @@ struct TransferSettings
     /// How the template's skin stretches about the marks is carried as well; rotations only, as published,
     /// where not.
     bool carriesStretch = true;
+    /// Marks turn as what lies about them on the template, and what lies about them on the target turns with
+    /// them; single triangles, as published, where not.
+    bool marksSurroundings = true;
     /// Of the template's way over the ground and of its height above it; what the target's steps and size ask
     /// for when empty.
     std::optional<double> scale;
@@ -77,12 +80,13 @@ double poseDifference(const Topology& mesh, Positions pose, const PosedMesh& tar
 
 /// Transfers a performance onto another mesh (SCANS §4): the target, turned as the template, takes in each
 /// frame the rotations of the marked triangles since the reference pose, beyond the paper after those that
-/// bring its limbs into that pose (posecorrection.h) and with the skin's stretches (stretchtracker.h); its
-/// way is the template's, scaled, see placement.h. \param clip  of the template's mesh, metres; its contacts
-/// say when feet stand. \param reference  a pose of the template, at best one that the target's is like.
-/// \param target  in its own pose. \throws Error as checkPairs and SolidTarget, TransferTriangleFlat (one of
-/// the target has no area), Cancelled, and what reading frames throws. \return the same for any number of
-/// threads. Cost: see TransferSolver; frames in parallel.
+/// bring its limbs into that pose (posecorrection.h), with the skin's stretches (stretchtracker.h) and for
+/// what lies about the marks (surroundings.h); its way is the template's, scaled, see placement.h. \param
+/// clip  of the template's mesh, metres; its contacts say when feet stand. \param reference  a pose of the
+/// template, at best one that the target's is like. \param target  in its own pose. \throws Error as
+/// checkPairs and SolidTarget, TransferTriangleFlat (one of the target has no area), Cancelled, and what
+/// reading frames throws. \return the same for any number of threads. Cost: see TransferSolver; frames in
+/// parallel.
 Transferred transferClip(const MeshSequence& clip, const PosedMesh& reference, const PosedMesh& target,
                          std::span<const TrianglePair> pairs, const TransferSettings& settings = {},
                          const Progress& progress = {});

@@ -3,6 +3,9 @@
 #include "model/transfer/transfersolver.h"
 
 #include "model/core/error.h"
+#include "model/transfer/surroundings.h"
+
+#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
@@ -22,10 +25,21 @@ std::vector<std::size_t> marksOnSurface(const SolidTarget& surface, std::span<co
     return found;
 }
 
+std::vector<std::vector<std::uint32_t>> verticesAbout(const SurfaceGraph& graph,
+                                                      std::span<const std::size_t> marks)
+{
+    const Surroundings surroundings(graph, marks);
+    std::vector<std::vector<std::uint32_t>> vertices(marks.size());
+    tbb::parallel_for(std::size_t{0}, marks.size(),
+                      [&](std::size_t m) { vertices[m] = surroundings.vertices(m); });
+    return vertices;
+}
+
 } // namespace
 
 TransferTarget::TransferTarget(const Topology& mesh, Positions positions)
     : m_surface(mesh, positions)
+    , m_graph(m_surface.topology(), m_surface.positions())
     , m_system(m_surface.topology())
     , m_poisson(m_system, poseFrames(m_surface.topology()->triangles(), m_surface.positions()))
     , m_harmonic(m_surface, m_poisson.weights())
@@ -42,10 +56,12 @@ TransferTarget::TransferTarget(const Topology& mesh, Positions positions)
 }
 
 TransferSolver::TransferSolver(std::shared_ptr<const TransferTarget> target,
-                               std::span<const TriangleIndex> marks, FieldKind kind)
+                               std::span<const TriangleIndex> marks, FieldKind kind, bool holdsSurroundings)
     : m_target(std::move(target))
     , m_marks(marksOnSurface(m_target->surface(), marks))
-    , m_field(m_target->harmonic(), m_marks, kind)
+    , m_field(m_target->harmonic(), m_marks, kind,
+              holdsSurroundings ? verticesAbout(m_target->graph(), m_marks)
+                                : std::vector<std::vector<std::uint32_t>>())
 {
 }
 

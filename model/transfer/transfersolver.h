@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/geometry/surfacegraph.h"
 #include "model/transfer/deformationfield.h"
 #include "model/transfer/marktracker.h"
 #include "model/transfer/solidtarget.h"
@@ -27,11 +28,13 @@ public:
     const PoissonSystem& system() const { return m_system; }
     const PoissonPose& poisson() const { return m_poisson; }
     const HarmonicSystem& harmonic() const { return m_harmonic; }
+    const SurfaceGraph& graph() const { return m_graph; }
     /// Per triangle of the surface its edges at rest.
     const std::vector<TriangleEdges>& edges() const { return m_edges; }
 
 private:
     SolidTarget m_surface;
+    SurfaceGraph m_graph;
     PoissonSystem m_system;
     PoissonPose m_poisson;
     HarmonicSystem m_harmonic;
@@ -45,11 +48,12 @@ private:
 class TransferSolver
 {
 public:
-    /// \param marks  triangles of the target's mesh, at least one, each once.
-    /// \throws Error TransferTriangleFlat where one was left out of the surface, or does not exist.
-    /// Cost: one numeric factorisation.
+    /// \param marks  triangles of the target's mesh, at least one, each once. \param holdsSurroundings  what
+    /// lies about a mark is deformed as that, see Surroundings::vertices: else a mark counts the less the
+    /// finer the mesh is. \throws Error TransferTriangleFlat where a mark was left out of the surface, or
+    /// does not exist. Cost: one numeric factorisation, surface distances about each mark.
     TransferSolver(std::shared_ptr<const TransferTarget> target, std::span<const TriangleIndex> marks,
-                   FieldKind kind = FieldKind::Quaternions);
+                   FieldKind kind = FieldKind::Quaternions, bool holdsSurroundings = false);
 
     /// Memory that poses made one after the other share.
     struct Scratch

@@ -19,8 +19,14 @@ namespace quadrille {
 namespace {
 
 constexpr int chartGap = 8; // pixels
-/// Columns of the report, in the order of the choice.
-constexpr std::array<const char*, 3> reportColumns{"volume", "mark-error", "skate"};
+/// Columns of the report, in the order of the choice, and what they are multiplied with.
+struct ReportColumn
+{
+    const char* name;
+    double scale;
+};
+constexpr std::array<ReportColumn, 5> reportColumns{
+    {{"volume", 100}, {"mark-error", 1}, {"skate", 100}, {"limb-error", 1}, {"foot-error", 1}}};
 
 } // namespace
 
@@ -61,6 +67,13 @@ void TransferChart::retranslate()
     m_what->setItemData(1, tr("The mean angle by which paired triangles miss the template’s rotation"),
                         Qt::ToolTipRole);
     m_what->setItemData(2, tr("How fast feet that stand until the next frame move"), Qt::ToolTipRole);
+    m_what->setItemText(3, tr("Directions of limbs"));
+    m_what->setItemText(4, tr("Directions of feet"));
+    m_what->setItemData(3,
+                        tr("The mean angle by which lower arms and legs point elsewhere than the template’s"),
+                        Qt::ToolTipRole);
+    m_what->setItemData(4, tr("The mean angle by which feet point elsewhere than the template’s"),
+                        Qt::ToolTipRole);
     m_what->setAccessibleName(tr("What is drawn over the frames"));
     m_chart->setEmptyText(tr("How each frame came out shows here, once the clip is computed."));
     refresh();
@@ -69,17 +82,17 @@ void TransferChart::retranslate()
 void TransferChart::refresh()
 {
     const auto what = static_cast<std::size_t>(std::max(m_what->currentIndex(), 0));
-    const std::array<QString, 3> units{QStringLiteral("%"), tr("°"), tr("cm/s")};
-    constexpr std::array<double, 3> scales{100, 1, 100};
+    const std::array<QString, reportColumns.size()> units{QStringLiteral("%"), tr("°"), tr("cm/s"), tr("°"),
+                                                          tr("°")};
     m_chart->setAxes({tr("Frame"), {}}, {m_what->currentText(), units[what]});
     std::vector<widgets::ChartSeries> series;
     if (const TransferResultPointer result = m_transfer.result()) {
         widgets::ChartSeries line{.name = m_what->currentText(),
                                   .color = widgets::Theme::categorical(static_cast<int>(what))};
-        const auto& values = columnNamed<std::vector<double>>(result->report, reportColumns[what]);
+        const auto& values = columnNamed<std::vector<double>>(result->report, reportColumns[what].name);
         for (std::size_t f = 0; f < values.size(); ++f) {
             if (std::isfinite(values[f]))
-                line.points.emplace_back(static_cast<double>(f), scales[what] * values[f]);
+                line.points.emplace_back(static_cast<double>(f), reportColumns[what].scale * values[f]);
         }
         if (!line.points.empty())
             series.push_back(std::move(line));

@@ -41,6 +41,7 @@ TransferSettingsPanel::TransferSettingsPanel(CurrentTransfer& transfer, QWidget*
                          .scale = "transferPanelScale",
                          .poses = "transferPanelPoses",
                          .stretch = "transferPanelStretch",
+                         .surroundings = "transferPanelSurroundings",
                          .contacts = "transferPanelContacts",
                          .truth = "transferPanelTruth"},
                         [&context]() -> const Project& { return context.document.project(); });

@@ -21,10 +21,11 @@ struct TransferEntry
     std::optional<NamedFrame> reference;
     std::vector<TrianglePair> pairs;
     FieldKind field = FieldKind::Quaternions;
-    std::optional<double> scale;  ///< of the way; what the target's steps ask for
-    bool correctsPose = true;     ///< limbs held otherwise than in the reference pose are brought there
-    bool carriesStretch = true;   ///< how the skin stretches about the marks is carried, not rotations only
-    bool correctsContacts = true; ///< feet that stand in the clip stand still
+    std::optional<double> scale;   ///< of the way; what the target's steps ask for
+    bool correctsPose = true;      ///< limbs held otherwise than in the reference pose are brought there
+    bool carriesStretch = true;    ///< how the skin stretches about the marks is carried, not rotations only
+    bool marksSurroundings = true; ///< what is about the marks turns as one, not single triangles
+    bool correctsContacts = true;  ///< feet that stand in the clip stand still
     /// A clip of the target's mesh that shows what the result ought to be, for evaluations; empty where none
     /// is known.
     std::string truth;

@@ -36,22 +36,22 @@ struct TransferKind
     FieldKind field;
     bool correctsPose;
     bool carriesStretch;
+    bool marksSurroundings;
 
     std::string fieldWord() const { return field == FieldKind::Quaternions ? "quaternions" : "logarithms"; }
     std::string poseWord() const { return correctsPose ? "pose corrected" : "pose as it is"; }
     std::string stretchWord() const { return carriesStretch ? "stretched" : "turned only"; }
+    std::string marksWord() const { return marksSurroundings ? "surroundings" : "triangles"; }
 };
 
 /// All that there are.
 constexpr auto transferKinds = [] {
-    std::array<TransferKind, 8> kinds{};
-    std::size_t at = 0;
-    for (const FieldKind field : {FieldKind::Quaternions, FieldKind::Logarithms}) {
-        for (const bool correctsPose : {true, false}) {
-            for (const bool carriesStretch : {true, false})
-                kinds[at++] = {field, correctsPose, carriesStretch};
-        }
-    }
+    std::array<TransferKind, 16> kinds{};
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        kinds[k] = {.field = (k & 8U) == 0 ? FieldKind::Quaternions : FieldKind::Logarithms,
+                    .correctsPose = (k & 4U) == 0,
+                    .carriesStretch = (k & 2U) == 0,
+                    .marksSurroundings = (k & 1U) == 0};
     return kinds;
 }();
 
@@ -118,9 +118,14 @@ class TransferTables
 public:
     TransferTables()
     {
-        m_means.text("transfer").text("field").text("pose").text("stretch").whole("frames");
+        m_means.text("transfer").text("field").text("pose").text("stretch").text("marks").whole("frames");
         m_means.real("mean-share").real("worst-share").real("placed-mean-share").real("placed-worst-share");
-        m_frames.text("transfer").text("field").text("pose").text("stretch").whole("frame", "frame");
+        m_frames.text("transfer")
+            .text("field")
+            .text("pose")
+            .text("stretch")
+            .text("marks")
+            .whole("frame", "frame");
         for (TableBuilder* table : {&m_means, &m_frames}) {
             table->real("mean-error", "m").real("worst-error", "m");
             table->real("placed-mean-error", "m").real("placed-worst-error", "m");
@@ -142,8 +147,8 @@ public:
                 sum->worst = std::max(sum->worst, each.worst);
             }
             const auto at = static_cast<std::size_t>(f);
-            m_frames.add({transfer, kind.fieldWord(), kind.poseWord(), kind.stretchWord(), f, moved.mean,
-                          moved.worst, placed.mean, placed.worst,
+            m_frames.add({transfer, kind.fieldWord(), kind.poseWord(), kind.stretchWord(), kind.marksWord(),
+                          f, moved.mean, moved.worst, placed.mean, placed.worst,
                           made.volume.empty() ? notKnown : made.volume[at],
                           truth.volume.empty() ? notKnown : truth.volume[at], degrees(made.markErrors[at]),
                           slides[at], truth.slides[at]});
@@ -151,8 +156,8 @@ public:
         const auto share = [&truth](double error) {
             return truth.height > 0 ? error / truth.height : notKnown;
         };
-        m_means.add({transfer, kind.fieldWord(), kind.poseWord(), kind.stretchWord(), frames,
-                     share(all.moved.mean), share(all.moved.worst), share(all.placed.mean),
+        m_means.add({transfer, kind.fieldWord(), kind.poseWord(), kind.stretchWord(), kind.marksWord(),
+                     frames, share(all.moved.mean), share(all.moved.worst), share(all.placed.mean),
                      share(all.placed.worst), all.moved.mean, all.moved.worst, all.placed.mean,
                      all.placed.worst, meanOf(made.volume), meanOf(truth.volume),
                      degrees(meanOf(made.markErrors)), meanOf(slides), meanOf(truth.slides)});
@@ -168,14 +173,14 @@ public:
 private:
     static double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-    TableBuilder m_means{
-        "transfer-error",
-        "Transfers against what they ought to be, with both fields, with and without "
-        "correction of the pose and stretch: how far vertices are from the truth with the body as a "
-        "whole moved onto it, mean and worst over all frames, in shares of the target's "
-        "height and in metres, and the same as they are placed; the mean volume against "
-        "the target's at rest, the mean angle that marked triangles miss, how fast feet "
-        "slide that stand."};
+    TableBuilder m_means{"transfer-error",
+                         "Transfers against what they ought to be, with both fields, with and without "
+                         "correction of the pose, stretch and what is about marks: how far vertices are from "
+                         "the truth with the body as a "
+                         "whole moved onto it, mean and worst over all frames, in shares of the target's "
+                         "height and in metres, and the same as they are placed; the mean volume against "
+                         "the target's at rest, the mean angle that marked triangles miss, how fast feet "
+                         "slide that stand."};
     TableBuilder m_frames{"transfer-error-frames", "The same, frame by frame."};
 };
 
@@ -194,6 +199,7 @@ void measureTransfer(const TransferWork& work, TransferTables& tables, const Pro
         settings.field = kind.field;
         settings.correctsPose = kind.correctsPose;
         settings.carriesStretch = kind.carriesStretch;
+        settings.marksSurroundings = kind.marksSurroundings;
         const PerformedTransfer made = performTransfer(bodies, marks, settings, ignore, own.part(0, 0.9));
         const MeshSequence performance = standingAs(bodies.performed(), made.clip);
         tables.add(work.entry().name, kind, made, footSlides(performance, bodies.up(), own.part(0.9, 1)),

@@ -37,6 +37,10 @@ void describe(Fields& f, Type<TransferEntry>)
             {.help =
                  "How the template's skin stretches and is pressed together about each pair is carried as "
                  "well, so that bends keep more of their volume. Else rotations only, as published."});
+    f.field("surroundings", &E::marksSurroundings,
+            {.help = "Each pair stands for what lies about it, some 8 cm on a grown-up and less where pairs "
+                     "are dense: bends stay where they are, however fine the target is. Else single "
+                     "triangles, as published."});
     f.field("contact_correction", &E::correctsContacts,
             {.help = "Feet that stand in the clip stand still in the result as well."});
     f.as(Role::Clip, "truth", &E::truth,

@@ -59,7 +59,7 @@ struct TransferResult
 {
     TransferEntry entry;   ///< as it was then
     MeshSequence sequence; ///< as “clip:transfers/NAME” has it
-    DataTable report;      ///< of each frame: volume, mark-error (degrees), skate (m/s)
+    DataTable report;      ///< of each frame: volume, mark-, limb- and foot-error (degrees), skate (m/s)
 };
 
 using TransferResultPointer = std::shared_ptr<const TransferResult>;

@@ -132,6 +132,32 @@ PerformedTransfer performTransfer(const TransferBodies& bodies, const TransferMa
             .markErrors = std::move(transferred.markErrors)};
 }
 
+std::vector<LimbErrors> limbErrors(const TransferBodies& bodies, const PosedMesh& reference,
+                                   const Clip& performance, const Progress& progress)
+{
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<LimbErrors> errors(static_cast<std::size_t>(performance.frameCount()), {unknown, unknown});
+    try {
+        const auto directionsOf = [&](const PosedMesh& mesh, ErrorCode withoutLimbs, const Progress& own) {
+            return LimbDirections(BodyPlaces(mesh, bodies.up(), withoutLimbs, own), *mesh.topology);
+        };
+        const LimbDirections wanted =
+            directionsOf(reference, ErrorCode::TransferNoLimbsOfTemplate, progress.part(0, 0.4));
+        const LimbDirections made =
+            directionsOf(bodies.target(), ErrorCode::TransferNoLimbsOfTarget, progress.part(0.4, 0.8));
+        for (std::size_t f = 0; f < errors.size(); ++f) {
+            const FrameIndex frame(static_cast<std::int64_t>(f));
+            errors[f] = limbErrors(made.of(performance.frame(frame.value)),
+                                   wanted.of(bodies.performed().frame(frame).positions()));
+        }
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::TransferNoLimbsOfTemplate &&
+            error.code() != ErrorCode::TransferNoLimbsOfTarget)
+            throw;
+    }
+    return errors;
+}
+
 std::vector<double> footSlides(const MeshSequence& performance, UpAxis up, const Progress& progress)
 {
     Stances stances = findStances(CharacterFrames(std::span(&performance, 1)), up, progress);

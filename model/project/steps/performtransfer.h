@@ -4,6 +4,7 @@
 
 #include "model/project/steps/transferbodies.h"
 #include "model/synthesis/clips/clip.h"
+#include "model/transfer/limbdirections.h"
 
 #include <vector>
 
@@ -37,6 +38,11 @@ struct PerformedTransfer
 PerformedTransfer performTransfer(const TransferBodies& bodies, const TransferMarks& marks,
                                   const TransferSettings& settings, const TransferBodies::Tell& tell,
                                   const Progress& progress);
+
+/// By how much the limbs of a performance miss the directions that those of the template have, in each frame;
+/// not a number where one of the bodies has no arms and legs. \param performance  metres.
+std::vector<LimbErrors> limbErrors(const TransferBodies& bodies, const PosedMesh& reference,
+                                   const Clip& performance, const Progress& progress);
 
 /// How fast the feet that stand until the next frame slide, m/s; not a number where none does.
 /// \param performance  metres, with contacts. \throws Error as findStances.

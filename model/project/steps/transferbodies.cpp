@@ -131,6 +131,7 @@ TransferSettings TransferBodies::settings() const
             .up = m_up,
             .correctsPose = m_entry.correctsPose,
             .carriesStretch = m_entry.carriesStretch,
+            .marksSurroundings = m_entry.marksSurroundings,
             .scale = m_entry.scale};
 }
 
@@ -150,6 +151,18 @@ std::vector<ProposedPair> TransferBodies::pairs(const Tell& tell, const Progress
     return proposed;
 }
 
+std::vector<std::vector<Vec3f>> TransferBodies::performedPoses() const
+{
+    constexpr std::int64_t most = 12;
+    const std::int64_t frames = performed().frameCount();
+    const std::int64_t count = std::min(frames, most);
+    std::vector<std::vector<Vec3f>> poses;
+    for (std::int64_t i = 0; i < count; ++i)
+        poses.push_back(
+            poseOf(performed(), FrameIndex(count > 1 ? i * (frames - 1) / (count - 1) : 0)).positions);
+    return poses;
+}
+
 std::vector<ProposedPair> TransferBodies::pairsOfAlikePoses(std::vector<ProposedPair> proposed,
                                                             const Progress& progress) const
 {
@@ -160,7 +173,7 @@ std::vector<ProposedPair> TransferBodies::pairsOfAlikePoses(std::vector<Proposed
     const PosedMesh alike = referencePose(
         pairs, [](const std::string& /*text*/) {}, progress.part(0, 0.3));
     try {
-        return proposePairs(alike, m_target, m_up, usualPairs, progress.part(0.3, 1));
+        return proposePairs(alike, m_target, m_up, performedPoses(), usualPairs, progress.part(0.3, 1));
     } catch (const Error& error) {
         if (error.code() != ErrorCode::TransferNoLimbsOfTemplate)
             throw;
@@ -176,7 +189,7 @@ std::vector<ProposedPair> TransferBodies::anyPairs(const Progress& progress) con
             const FrameIndex frame = m_entry.reference && take->name == m_entry.reference->sequence
                                          ? m_entry.reference->frame
                                          : FrameIndex(0);
-            return proposePairs(poseOf(*take, frame), m_target, m_up, usualPairs, progress);
+            return proposePairs(poseOf(*take, frame), m_target, m_up, performedPoses(), usualPairs, progress);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::TransferNoLimbsOfTemplate || take + 1 == m_takes.rend())
                 throw;

@@ -50,6 +50,8 @@ private:
     void openTakes(SequenceOpener& opener, const Progress& progress);
     void openMesh(const SequenceOpener& opener, const Progress& progress);
     bool isOfMesh(const MeshSequence& sequence) const;
+    /// Some frames of the clip, from the first to the last.
+    std::vector<std::vector<Vec3f>> performedPoses() const;
     std::vector<ProposedPair> anyPairs(const Progress& progress) const;
     std::vector<ProposedPair> pairsOfAlikePoses(std::vector<ProposedPair> proposed,
                                                 const Progress& progress) const;

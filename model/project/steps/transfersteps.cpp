@@ -15,17 +15,22 @@ namespace quadrille {
 
 namespace {
 
-DataTable frameReport(const PerformedTransfer& made, const std::vector<double>& slides)
+DataTable frameReport(const PerformedTransfer& made, const std::vector<double>& slides,
+                      const std::vector<LimbErrors>& limbs)
 {
     TableBuilder table("report",
                        "How each frame came out: the target's volume against that at rest, the mean "
-                       "angle that marked triangles miss, and how fast the feet that stand until the "
-                       "next frame slide.");
+                       "angle that marked triangles miss, how fast the feet that stand until the "
+                       "next frame slide, and the mean angles by which lower arms and legs, and feet, point "
+                       "elsewhere than the template's.");
     table.whole("frame", "frame").real("volume", "").real("mark-error", "deg").real("skate", "m/s");
+    table.real("limb-error", "deg").real("foot-error", "deg");
+    constexpr double degrees = 180 / std::numbers::pi;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t f = 0; f < slides.size(); ++f)
         table.add({static_cast<std::int64_t>(f), made.volume.empty() ? unknown : made.volume[f],
-                   made.markErrors[f] * 180 / std::numbers::pi, slides[f]});
+                   made.markErrors[f] * degrees, slides[f], limbs[f].limbs * degrees,
+                   limbs[f].feet * degrees});
     return std::move(table).table();
 }
 
@@ -48,10 +53,10 @@ Result transferResult(const TransferWork& work, const StepContext& context, cons
     };
     const TransferBodies bodies(work.opener(), work.entry(), progress.part(0, 0.1));
     const TransferMarks marks = transferMarks(bodies, tell, progress.part(0.1, 0.3));
-    PerformedTransfer made =
-        performTransfer(bodies, marks, bodies.settings(), tell, progress.part(0.3, 0.95));
+    PerformedTransfer made = performTransfer(bodies, marks, bodies.settings(), tell, progress.part(0.3, 0.9));
     DataTable frames = frameReport(
-        made, footSlides(standingAs(bodies.performed(), made.clip), bodies.up(), progress.part(0.95, 1)));
+        made, footSlides(standingAs(bodies.performed(), made.clip), bodies.up(), progress.part(0.9, 0.95)),
+        limbErrors(bodies, marks.reference, made.clip, progress.part(0.95, 1)));
     const double metresPerUnit = work.opener().project().settings.axes.metresPerUnit;
     const auto unitsPerMetre = static_cast<float>(1 / metresPerUnit);
     for (Vec3f& p : made.clip.positions)

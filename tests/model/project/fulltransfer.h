@@ -19,6 +19,7 @@ inline TransferEntry fullTransfer()
     entry.scale = 0.9;
     entry.correctsPose = false;
     entry.carriesStretch = false;
+    entry.marksSurroundings = false;
     entry.correctsContacts = false;
     entry.truth = "sequences/softly";
     return entry;

@@ -49,21 +49,22 @@ TEST_F(TransferEvaluations, CompareBothFieldsWithAndWithoutCorrectionWithTheTrut
     EXPECT_THAT(computed(evaluate()), ElementsAre("evaluations/transfer-error/strip"));
     const std::string name = "evaluation/transfer-error";
     EXPECT_THAT(column<std::string>(name, "transfer"),
-                ::testing::ElementsAreArray(std::vector<std::string>(8, "slowly")));
-    EXPECT_THAT(column<std::string>(name, "field"),
-                ElementsAre("quaternions", "quaternions", "quaternions", "quaternions", "logarithms",
-                            "logarithms", "logarithms", "logarithms"));
-    EXPECT_THAT(column<std::string>(name, "pose"),
-                ElementsAre("pose corrected", "pose corrected", "pose as it is", "pose as it is",
-                            "pose corrected", "pose corrected", "pose as it is", "pose as it is"));
-    EXPECT_THAT(column<std::string>(name, "stretch"),
-                ElementsAre("stretched", "turned only", "stretched", "turned only", "stretched",
-                            "turned only", "stretched", "turned only"));
+                ::testing::ElementsAreArray(std::vector<std::string>(16, "slowly")));
+    const auto field = column<std::string>(name, "field");
+    const auto pose = column<std::string>(name, "pose");
+    const auto stretch = column<std::string>(name, "stretch");
+    const auto marks = column<std::string>(name, "marks");
+    for (std::size_t k = 0; k < 16; ++k) {
+        EXPECT_EQ(field[k], k < 8 ? "quaternions" : "logarithms") << k;
+        EXPECT_EQ(pose[k], k % 8 < 4 ? "pose corrected" : "pose as it is") << k;
+        EXPECT_EQ(stretch[k], k % 4 < 2 ? "stretched" : "turned only") << k;
+        EXPECT_EQ(marks[k], k % 2 == 0 ? "surroundings" : "triangles") << k;
+    }
     EXPECT_THAT(column<std::int64_t>(name, "frames"), Each(14));
     // All triangles are paired, and they only turn.
     EXPECT_THAT(values("worst-error"), Each(Lt(0.05)));
     EXPECT_THAT(values("mark-error"), Each(Lt(2)));
-    EXPECT_THAT(column<std::int64_t>(name + "-frames", "frame").size(), 8 * 14U);
+    EXPECT_THAT(column<std::int64_t>(name + "-frames", "frame").size(), 16 * 14U);
     const auto each = column<double>(name + "-frames", "placed-mean-error");
     EXPECT_NEAR(std::accumulate(each.begin(), each.begin() + 14, 0.0) / 14, values("placed-mean-error")[0],
                 1e-12);
@@ -89,6 +90,7 @@ TEST_F(TransferEvaluations, MeasureWhatTheTransferMakes)
     transfer().field = FieldKind::Logarithms;
     transfer().correctsPose = false;
     transfer().carriesStretch = false;
+    transfer().marksSurroundings = false;
     transfer().pairs.resize(3); // the rest is spread
     project.settings.axes.metresPerUnit = 0.01;
     run("transfers");
@@ -102,7 +104,7 @@ TEST_F(TransferEvaluations, MeasureWhatTheTransferMakes)
         all.moved.mean += errors.moved.mean / 14;
         all.placed.worst = std::max(all.placed.worst, errors.placed.worst);
     }
-    constexpr int own = 7;
+    constexpr int own = 15;
     EXPECT_GT(all.moved.mean, 0.01);
     EXPECT_NEAR(values("mean-error")[own], all.moved.mean / 100, 1e-8);
     EXPECT_NEAR(values("placed-worst-error")[own], all.placed.worst / 100, 1e-6);
@@ -110,7 +112,7 @@ TEST_F(TransferEvaluations, MeasureWhatTheTransferMakes)
     for (int edge = 0; edge < 4; ++edge)
         height += 100 * std::sin(edge * 0.3 * std::sin(0.35 * 4));
     EXPECT_NEAR(values("mean-share")[own], all.moved.mean / height, 1e-5);
-    EXPECT_NE(values("mean-error")[own], values("mean-error")[3]) << "the field makes no difference";
+    EXPECT_NE(values("mean-error")[own], values("mean-error")[7]) << "the field makes no difference";
 }
 
 TEST_F(TransferEvaluations, AreComputedAgainWhereTheTruthOrTheTransferChanges)

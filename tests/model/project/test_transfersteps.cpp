@@ -78,6 +78,8 @@ TEST_F(TransferSteps, MakeAClipOfTheTarget)
     }
     EXPECT_THAT(column<std::string>("transfers/slowly/frames", "sequence"), ::testing::Each("scan"));
     EXPECT_THAT(column<double>("transfers/slowly/report", "mark-error"), ::testing::Each(::testing::Lt(2)));
+    // It has no arms and legs.
+    EXPECT_THAT(column<double>("transfers/slowly/report", "limb-error"), ::testing::Each(::testing::IsNan()));
 }
 
 TEST_F(TransferSteps, AreFreshUntilSomethingTheyNeedChanges)

@@ -118,6 +118,21 @@ TEST_F(SampleTransfer, keepsTheFeetOnTheGround)
     }
 }
 
+TEST_F(SampleTransfer, pointsLimbsAndFeetAsTheTemplateDoes)
+{
+    for (const TransferEntry& entry : m_project.transfers) {
+        SCOPED_TRACE(entry.name);
+        for (const char* name : {"limb-error", "foot-error"}) {
+            const std::vector<double> errors = reported(entry, name);
+            ASSERT_EQ(std::ssize(errors), madeBy(entry).frameCount());
+            double sum = 0;
+            for (const double error : errors)
+                sum += error / static_cast<double>(errors.size());
+            EXPECT_LT(sum, 5) << name; // measured: 3°
+        }
+    }
+}
+
 TEST_F(SampleTransfer, keepsTheVolumeOfTheBody)
 {
     for (const TransferEntry& entry : m_project.transfers) {

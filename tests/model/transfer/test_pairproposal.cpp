@@ -78,7 +78,59 @@ TEST_F(PairProposal, NeitherSizeNorHeadingMatters)
 {
     for (Vec3f& p : m_heavy.positions)
         p = 30 * (Eigen::AngleAxisf(2, Vec3f::UnitY()) * p) + Vec3f(5, 1, -4);
-    EXPECT_LT(meanError(proposePairs(m_average, m_heavy, UpAxis::Y, 30)), 0.005);
+    EXPECT_LT(meanError(proposePairs(m_average, m_heavy, UpAxis::Y, {}, 30)), 0.005);
+}
+
+TEST_F(PairProposal, PairsLieCloserWhereTheTemplateBends)
+{
+    // The left shin, from the knee down, swings back and forth.
+    const double knee = 0.28 * boundsOf(m_average.positions).size().y();
+    std::vector<std::vector<Vec3f>> poses;
+    for (const double angle : {0.8, 1.6, 2.2}) {
+        poses.push_back(moved(m_average.positions, [&](const Vec3d& p) -> Vec3d {
+            const Vec3d hinge(0, knee, 0);
+            const double share = p.x() > 0.02 ? std::clamp((knee + 0.1 - p.y()) / 0.2, 0.0, 1.0) : 0;
+            return hinge + Eigen::AngleAxisd(share * angle, Vec3d::UnitX()) * (p - hinge);
+        }));
+    }
+    const auto nearKnees = [&](std::span<const std::vector<Vec3f>> performed) {
+        std::array<int, 2> counts{};
+        for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y, performed, 300)) {
+            const Vec3d place = middleOf(m_average, proposed.pair.onTemplate);
+            if (std::abs(place.y() - knee) < 0.1)
+                ++counts[place.x() > 0 ? 0 : 1];
+        }
+        return counts;
+    };
+    const auto [left, right] = nearKnees(poses);
+    const auto [leftBefore, rightBefore] = nearKnees({});
+    EXPECT_GE(left, leftBefore + 2);
+    EXPECT_GE(left, right + 2);
+}
+
+/// A jacket and a hood lengthen the ways over one body, loose trousers hide where the legs of the other meet.
+TEST(PairProposalOnClothes, LegsArePairedAtTheirHeights)
+{
+    const std::filesystem::path data = QUADRILLE_DATA_DIR;
+    if (!std::filesystem::exists(data / "scans/liam_frame112"))
+        GTEST_SKIP() << "no real bodies";
+    const PosedMesh man = firstPose(data / "characters/rb_m04/mesh.obj");
+    const PosedMesh scan = firstPose(data / "scans/liam_frame112/scan.obj");
+    const auto shareOfHeight = [](const PosedMesh& body, TriangleIndex triangle) {
+        const Bounds bounds = boundsOf(body.positions);
+        return (middleOf(body, triangle).y() - bounds.min.y()) / bounds.size().y();
+    };
+    double sum = 0;
+    int count = 0;
+    for (const ProposedPair& proposed : proposePairs(man, scan, UpAxis::Y)) {
+        const double height = shareOfHeight(man, proposed.pair.onTemplate);
+        if (height > 0.4)
+            continue; // above the legs
+        sum += std::abs(shareOfHeight(scan, proposed.pair.onTarget) - height);
+        ++count;
+    }
+    ASSERT_GT(count, 20);
+    EXPECT_LT(sum / count, 0.03);
 }
 
 TEST_F(PairProposal, LeftStaysLeft)
@@ -176,7 +228,7 @@ TEST_F(PairProposal, AllPairsAreMirroredOnce)
     const BodyPlaces from(m_average, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
     const BodyPlaces onto(m_heavy, UpAxis::Y, ErrorCode::TransferNoLimbsOfTarget);
     std::vector<TrianglePair> pairs;
-    for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y, 40)) {
+    for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y, {}, 40)) {
         if (middleOf(m_average, proposed.pair.onTemplate).x() > 0.1)
             pairs.push_back(proposed.pair);
     }

@@ -35,7 +35,8 @@ protected:
 TEST_F(PoseCorrection, TurnsLimbsAsTheTemplateHoldsThem)
 {
     constexpr double bend = 60 * degree;
-    MarkTracker tracker(trianglesOf(*m_bar.topology, everyTriangle(*m_bar.topology, 7)), m_bar.positions);
+    MarkTracker tracker(singleTriangles(trianglesOf(*m_bar.topology, everyTriangle(*m_bar.topology, 7))),
+                        m_bar.positions);
     const std::vector<Vec3f> reference = bent(m_bar.positions, 1, bend);
     const std::vector<Eigen::Quaterniond> expected = tracker.next(reference).rotations;
     const std::vector<Eigen::Quaterniond> found = corrections(reference, m_bar.positions);

@@ -29,7 +29,9 @@ protected:
 
     std::vector<Eigen::Matrix3d> after(const std::vector<Vec3f>& pose) const
     {
-        return StretchTracker({m_bar.topology, m_bar.positions}, m_pairs).next(pose);
+        return StretchTracker(patchesAbout({m_bar.topology, m_bar.positions}, m_pairs, PatchReach::Whole),
+                              m_bar.positions)
+            .next(pose);
     }
     std::vector<Vec3f> stretched() const
     {

@@ -123,7 +123,7 @@ TEST(TransferSolver, LogarithmsTurnEvenlyPastHalfATurn)
         });
     };
     for (const FieldKind kind : kinds) {
-        MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
+        MarkTracker tracker(singleTriangles(trianglesOf(*bar.topology, marks)), bar.positions);
         const TransferSolver solver(std::make_shared<const TransferTarget>(*bar.topology, bar.positions),
                                     marks, kind);
         TransferSolver::Scratch scratch;

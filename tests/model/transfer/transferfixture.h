@@ -46,7 +46,7 @@ inline std::vector<Vec3f> transferred(const Bar& bar, const std::vector<Vec3f>& 
                                       std::span<const TriangleIndex> marks,
                                       FieldKind kind = FieldKind::Quaternions)
 {
-    MarkTracker tracker(trianglesOf(*bar.topology, marks), bar.positions);
+    MarkTracker tracker(singleTriangles(trianglesOf(*bar.topology, marks)), bar.positions);
     const TransferSolver solver(std::make_shared<const TransferTarget>(*bar.topology, bar.positions), marks,
                                 kind);
     std::vector<Vec3f> out(bar.positions.size());
