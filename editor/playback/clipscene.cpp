@@ -42,6 +42,12 @@ std::span<const float> toFloats(Positions positions)
     return {reinterpret_cast<const float*>(positions.data()), positions.size() * 3};
 }
 
+/// Whether one can take the place of the other without anything in the view moving.
+bool haveOneMesh(const MeshSequence& a, const MeshSequence& b)
+{
+    return a.topology == b.topology || a.topology->data() == b.topology->data();
+}
+
 QVector3D toVector(const Vec3f& v)
 {
     return {v.x(), v.y(), v.z()};
@@ -106,7 +112,7 @@ void ClipScene::update(const QString& name)
         return;
     const MeshSequence* sequence = m_source.clip(name, isComparing());
     Actor* actor = actorOf(name);
-    if (actor != nullptr && (sequence == nullptr || sequence->topology != actor->sequence.topology)) {
+    if (actor != nullptr && (sequence == nullptr || !haveOneMesh(*sequence, actor->sequence))) {
         removeActor(name);
         actor = nullptr;
     }

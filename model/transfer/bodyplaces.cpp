@@ -20,21 +20,25 @@ constexpr std::size_t landmarks = 5;
 constexpr std::size_t headLandmark = 4;
 /// How much of a distance over the body two opposite normals are worth.
 constexpr float normalWeight = 0.15F;
-/// Legs differ less in length, against the body, than ways that clothes lengthen: how far a place is from a
-/// foot counts by itself up to a share of the body's length, and by so much.
-constexpr float footWeight = 4;
-constexpr float footReach = 0.6F;
+/// Limbs differ less in length, against the body, than ways that clothes lengthen: how far a place is from
+/// hands and feet counts by itself up to some shares of the body's length, and by so much. Hands may be
+/// fists.
+struct EndWeight
+{
+    float weight;
+    float reach;
+};
+constexpr std::array<EndWeight, 4> endWeights{{{1, 0.42F}, {1, 0.42F}, {4, 0.6F}, {4, 0.6F}}};
 /// A pair whose places differ so much is worth half.
 constexpr double halfQuality = 0.12;
 
 /// Landmarks between which places are told: each place by how far it is on the way from one to the other.
-constexpr std::array<std::array<std::size_t, 2>, 8> ways{
-    {{0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 2}, {1, 3}, {0, 1}, {2, 3}}};
+constexpr std::array<std::array<std::size_t, 2>, 6> ways{{{2, 4}, {3, 4}, {0, 2}, {1, 3}, {0, 1}, {2, 3}}};
 
 /// The way that each becomes where left and right are exchanged.
-constexpr std::array<std::size_t, 8> mirroredWays{1, 0, 3, 2, 5, 4, 6, 7};
+constexpr std::array<std::size_t, 6> mirroredWays{1, 0, 3, 2, 4, 5};
 /// Those of them that then lead the other way: their share is one less what it was.
-constexpr std::size_t firstWayAcross = 6;
+constexpr std::size_t firstWayAcross = 4;
 
 /// What lies about a landmark, from its end to the trunk.
 struct Reach
@@ -187,9 +191,9 @@ BodyPlaces::BodyPlaces(const PosedMesh& mesh, UpAxis up, ErrorCode withoutLimbs,
             const auto& [from, to] = ways[w];
             place.values[static_cast<Eigen::Index>(w)] = distances[from] / (distances[from] + distances[to]);
         }
-        for (std::size_t foot = 0; foot < 2; ++foot)
-            place.values[static_cast<Eigen::Index>(ways.size() + foot)] =
-                footWeight * std::min(distances[2 + foot] / length, footReach);
+        for (std::size_t end = 0; end < endWeights.size(); ++end)
+            place.values[static_cast<Eigen::Index>(ways.size() + end)] =
+                endWeights[end].weight * std::min(distances[end] / length, endWeights[end].reach);
         const auto corner = [&](std::size_t c) -> Vec3d {
             return graph.pose()[triangle[c].value].cast<double>();
         };
@@ -230,8 +234,11 @@ std::optional<TriangleIndex> BodyPlaces::mirrored(TriangleIndex triangle) const
         const float share = own[static_cast<Eigen::Index>(mirroredWays[w])];
         values[static_cast<Eigen::Index>(w)] = w < firstWayAcross ? share : 1 - share;
     }
-    std::swap(values[ways.size()], values[ways.size() + 1]);
-    values[static_cast<Eigen::Index>(ways.size() + 2)] *= -1; // what faces left then faces right
+    for (std::size_t end = 0; end < endWeights.size(); end += 2)
+        std::swap(values[static_cast<Eigen::Index>(ways.size() + end)],
+                  values[static_cast<Eigen::Index>(ways.size() + end + 1)]);
+    values[static_cast<Eigen::Index>(ways.size() + endWeights.size())] *=
+        -1; // what faces left then faces right
     return nearest(values);
 }
 

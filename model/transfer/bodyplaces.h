@@ -62,7 +62,7 @@ public:
     static double likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB);
 
 private:
-    /// Shares of ways between landmarks, how far the feet are, and the direction that the place faces.
+    /// Shares of ways between landmarks, how far hands and feet are, and where the place faces.
     using Values = Eigen::Matrix<float, 13, 1>;
     struct Place
     {

@@ -80,6 +80,22 @@ private slots:
         QCOMPARE(list()->topLevelItemCount(), 6);
     }
 
+    void theViewStaysWhereItIsWhilePairsAreEdited()
+    {
+        openReady(6);
+        QTRY_COMPARE(workspace().scene().shown().size(), 2);
+        click(0, 6);
+        const widgets::Turntable camera = workspace().view().viewport().camera();
+        const int figure = workspace().scene().figureOf(TransferWorkspace::targetName());
+        click(1, 7);
+        QVERIFY(transfer().result() == nullptr);
+        QTRY_VERIFY(transfer().result() != nullptr);
+        document().undo();
+        QTRY_VERIFY(transfer().result() != nullptr && entry().pairs.size() == 6);
+        QCOMPARE(workspace().scene().figureOf(TransferWorkspace::targetName()), figure);
+        QCOMPARE(workspace().view().viewport().camera(), camera);
+    }
+
     void listAndViewSelectTheSamePair()
     {
         openReady();
