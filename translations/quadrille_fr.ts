@@ -13578,6 +13578,10 @@ maximal %2</translation>
         <source>Take the reference pose</source>
         <translation>Prendre la pose de référence</translation>
     </message>
+    <message>
+        <source>Take the shown frame</source>
+        <translation>Prendre l’image montrée</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::TransferWorkspace</name>

@@ -15,6 +15,8 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScrollArea>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
 #include <memory>

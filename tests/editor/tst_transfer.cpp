@@ -208,6 +208,20 @@ private slots:
         QVERIFY(entry().truth.empty());
     }
 
+    /// What is wider than its place is cut off: panels of windows 1280 wide are 240 wide.
+    void settingsFitTheirPanelInSmallWindows()
+    {
+        openReady();
+        const auto* area = find<QWidget>("transferSettingsPanel")->findChild<QScrollArea*>();
+        const auto* button = area->findChild<QToolButton*>();
+        for (const char* language : {"fr", "en"}) {
+            const QString before = button->text();
+            context().languages.setLanguage(language);
+            QTRY_VERIFY(button->text() != before);
+            QTRY_VERIFY2(area->widget()->minimumSizeHint().width() <= 240, language);
+        }
+    }
+
     void theClipBecomesATake()
     {
         openReady();

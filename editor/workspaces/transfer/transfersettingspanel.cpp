@@ -57,7 +57,8 @@ TransferSettingsPanel::TransferSettingsPanel(CurrentTransfer& transfer, QWidget*
     column->addWidget(verticalScroll(content));
     connect(&transfer, &CurrentTransfer::changed, this, &TransferSettingsPanel::refresh);
     connect(&transfer, &CurrentTransfer::showsReferenceChanged, this, &TransferSettingsPanel::refresh);
-    retranslates(this, [this] {
+    retranslates(this, [this, take] {
+        take->setIconText(tr("Take the shown frame")); // the panel is narrower than the menu
         m_fields.retranslate();
         refresh();
     });
