@@ -70,14 +70,22 @@ Landmarks landmarksOf(const SurfaceGraph& graph, UpAxis up, const Progress& prog
     Landmarks found;
     found.up = limbs.up;
     const auto place = [&](VertexIndex v) -> Vec3d { return graph.pose()[v.value].cast<double>(); };
-    // The head is what lies farthest from all limbs.
-    VertexIndex head;
-    float farthest = -1;
+    // The head is what lies farthest from all limbs; of it the highest place, as hair hangs down.
+    constexpr float headShare = 0.7F;
+    std::vector<float> nearest(graph.vertexCount());
+    float farthest = 0;
     for (std::uint32_t v = 0; v < graph.vertexCount(); ++v) {
-        const float nearest = std::min({limbs.hands[0].distances[v], limbs.hands[1].distances[v],
-                                        limbs.feet[0].distances[v], limbs.feet[1].distances[v]});
-        if (std::isfinite(nearest) && nearest > farthest) {
-            farthest = nearest;
+        nearest[v] = std::min({limbs.hands[0].distances[v], limbs.hands[1].distances[v],
+                               limbs.feet[0].distances[v], limbs.feet[1].distances[v]});
+        if (std::isfinite(nearest[v]))
+            farthest = std::max(farthest, nearest[v]);
+    }
+    VertexIndex head;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t v = 0; v < graph.vertexCount(); ++v) {
+        const double height = place(VertexIndex(v)).dot(found.up);
+        if (std::isfinite(nearest[v]) && nearest[v] >= headShare * farthest && height > highest) {
+            highest = height;
             head = VertexIndex(v);
         }
     }

@@ -133,6 +133,25 @@ TEST(PairProposalOnClothes, LegsArePairedAtTheirHeights)
     EXPECT_LT(sum / count, 0.03);
 }
 
+/// The end of a ponytail lies farther from hands and feet than the head.
+TEST_F(PairProposal, HeadsAreFoundAboveHair)
+{
+    const PosedMesh woman =
+        firstPose(std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_f01/mesh.obj");
+    const auto shareOfHeight = [](const PosedMesh& body, TriangleIndex triangle) {
+        const Bounds bounds = boundsOf(body.positions);
+        return (middleOf(body, triangle).y() - bounds.min.y()) / bounds.size().y();
+    };
+    int count = 0;
+    for (const ProposedPair& proposed : proposePairs(woman, m_average, UpAxis::Y)) {
+        if (shareOfHeight(woman, proposed.pair.onTemplate) < 0.94)
+            continue; // not the top of the head
+        EXPECT_GT(shareOfHeight(m_average, proposed.pair.onTarget), 0.9);
+        ++count;
+    }
+    EXPECT_GE(count, 3);
+}
+
 TEST_F(PairProposal, LeftStaysLeft)
 {
     for (const ProposedPair& proposed : proposePairs(m_average, m_heavy, UpAxis::Y)) {
