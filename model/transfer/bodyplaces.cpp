@@ -124,8 +124,15 @@ float straightWay(const SurfaceGraph& graph, const std::vector<float>& from, con
         }
     }
     float length = 0;
-    for (std::size_t k = 0; k < steps; ++k)
-        length += (middles[k + 1] / weights[k + 1] - middles[k] / weights[k]).norm();
+    std::optional<Vec3f> before;
+    for (std::size_t k = 0; k <= steps; ++k) {
+        if (weights[k] == 0)
+            continue; // a mesh so coarse that nothing lies there
+        const Vec3f middle = middles[k] / weights[k];
+        if (before)
+            length += (middle - *before).norm();
+        before = middle;
+    }
     return length;
 }
 

@@ -39,39 +39,37 @@ Surroundings::Surroundings(const SurfaceGraph& graph, std::span<const std::size_
     }
 }
 
-float Surroundings::grow(std::size_t mark, SurfaceDistances& distances,
-                         std::vector<std::uint32_t>& reached) const
+Surroundings::Reached Surroundings::grow(std::size_t mark) const
 {
+    Reached reached{.distances = SurfaceDistances(*m_graph)};
     for (const VertexIndex v : m_graph->topology().triangles()[m_marks[mark]]) {
-        distances.add({v, 0}, 0);
+        reached.distances.add({v, 0}, 0);
         if (m_markedAt[v.value] == several)
-            return 0;
+            return reached;
     }
+    reached.reach = m_reach;
     const float limit = m_patchReach == PatchReach::NextMark ? m_reach / ownShare : m_reach;
-    while (const auto next = distances.next()) {
-        const float way = distances.at(*next);
+    while (const auto next = reached.distances.next()) {
+        const float way = reached.distances.at(*next);
         if (way > limit)
             break;
         const std::size_t marked = m_markedAt[next->vertex.value];
-        if (marked != none && marked != m_marks[mark])
-            return ownShare * way;
-        reached.push_back(next->vertex.value);
+        if (marked != none && marked != m_marks[mark]) {
+            reached.reach = ownShare * way;
+            break;
+        }
+        const auto at = m_graph->trianglesOf(next->vertex);
+        reached.triangles.insert(reached.triangles.end(), at.begin(), at.end());
     }
-    return m_reach;
+    std::ranges::sort(reached.triangles);
+    reached.triangles.erase(std::unique(reached.triangles.begin(), reached.triangles.end()),
+                            reached.triangles.end());
+    return reached;
 }
 
 std::vector<Surroundings::Near> Surroundings::triangles(std::size_t mark) const
 {
-    SurfaceDistances distances(*m_graph);
-    std::vector<std::uint32_t> reached;
-    const float reach = grow(mark, distances, reached);
-    std::vector<std::uint32_t> about;
-    for (const std::uint32_t v : reached) {
-        const auto at = m_graph->trianglesOf(VertexIndex(v));
-        about.insert(about.end(), at.begin(), at.end());
-    }
-    std::ranges::sort(about);
-    about.erase(std::unique(about.begin(), about.end()), about.end());
+    const auto [distances, about, reach] = grow(mark);
     std::vector<Near> near{{m_marks[mark], static_cast<double>(m_graph->area(TriangleIndex(m_marks[mark])))}};
     for (const std::uint32_t t : about) {
         if (t == m_marks[mark])
@@ -96,20 +94,21 @@ std::vector<Surroundings::Near> Surroundings::triangles(std::size_t mark) const
 
 std::vector<std::uint32_t> Surroundings::vertices(std::size_t mark) const
 {
-    SurfaceDistances distances(*m_graph);
-    std::vector<std::uint32_t> reached;
-    const float reach = grow(mark, distances, reached);
+    const Reached reached = grow(mark);
     std::vector<std::uint32_t> held;
-    for (const std::uint32_t vertex : reached) {
-        for (const std::uint32_t t : m_graph->trianglesOf(VertexIndex(vertex))) {
-            const Triangle& corners = m_graph->topology().triangles()[t];
-            if (std::ranges::all_of(corners, [&](VertexIndex v) { return distances.at({v, 0}) <= reach; }))
-                held.push_back(vertex);
+    for (const std::uint32_t t : reached.triangles) {
+        const Triangle& corners = m_graph->topology().triangles()[t];
+        if (!std::ranges::all_of(corners, [&](VertexIndex v) {
+                return reached.distances.at({v, 0}) <= reached.reach;
+            }))
+            continue;
+        for (const VertexIndex v : corners) {
+            if (m_markedAt[v.value] == none)
+                held.push_back(v.value);
         }
     }
     std::ranges::sort(held);
     held.erase(std::unique(held.begin(), held.end()), held.end());
-    std::erase_if(held, [&](std::uint32_t v) { return m_markedAt[v] != none; });
     return held;
 }
 

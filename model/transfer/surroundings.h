@@ -41,8 +41,14 @@ public:
     std::vector<std::uint32_t> vertices(std::size_t mark) const;
 
 private:
-    /// Grows distances from a mark over what is about it at least. \return how far that reaches.
-    float grow(std::size_t mark, SurfaceDistances& distances, std::vector<std::uint32_t>& reached) const;
+    struct Reached
+    {
+        SurfaceDistances distances;
+        std::vector<std::uint32_t> triangles; ///< at vertices that were reached, ascending
+        float reach = 0;                      ///< how far what is about the mark reaches, metres
+    };
+    /// Grows distances from a mark over what is about it at least.
+    Reached grow(std::size_t mark) const;
 
     const SurfaceGraph* m_graph;
     std::vector<std::size_t> m_marks;

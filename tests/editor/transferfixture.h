@@ -15,6 +15,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QTreeWidget>

@@ -214,6 +214,7 @@ private slots:
         openReady();
         const auto* area = find<QWidget>("transferSettingsPanel")->findChild<QScrollArea*>();
         const auto* button = area->findChild<QToolButton*>();
+        const auto back = qScopeGuard([&] { context().languages.setLanguage("en"); });
         for (const char* language : {"fr", "en"}) {
             const QString before = button->text();
             context().languages.setLanguage(language);

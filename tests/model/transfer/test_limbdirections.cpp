@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/sequence/io/registry.h"
 #include "model/transfer/limbdirections.h"
 #include "tests/model/transfer/transferfixture.h"
 
@@ -11,13 +10,6 @@ using namespace quadrille::test;
 
 namespace {
 
-PosedMesh meshOf(const std::filesystem::path& path)
-{
-    const MeshSequence sequence = openSequences(path).sequences.front();
-    const Frame frame = sequence.frame(FrameIndex(0));
-    return {sequence.topology, {frame.positions().begin(), frame.positions().end()}};
-}
-
 class LimbDirectionsOfBodies : public testing::Test
 {
 protected:
@@ -26,8 +18,8 @@ protected:
         const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/mh_male";
         if (!std::filesystem::exists(folder))
             GTEST_SKIP() << "no real bodies";
-        m_average = meshOf(folder / "rest_m_avg.obj");
-        m_heavy = meshOf(folder / "rest_m_heavy.obj");
+        m_average = firstPose(folder / "rest_m_avg.obj");
+        m_heavy = firstPose(folder / "rest_m_heavy.obj");
     }
     static LimbDirections of(const PosedMesh& body)
     {

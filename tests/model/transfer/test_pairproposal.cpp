@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/bounds.h"
 #include "model/core/error.h"
-#include "model/sequence/io/registry.h"
 #include "model/transfer/bodyplaces.h"
 #include "model/transfer/pairproposal.h"
 #include "tests/model/codeof.h"
@@ -16,13 +15,6 @@ using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
-
-PosedMesh firstPose(const std::filesystem::path& file)
-{
-    const MeshSequence sequence = openSequences(file).sequences.front();
-    const Frame frame = sequence.frame(FrameIndex(0));
-    return {sequence.topology, {frame.positions().begin(), frame.positions().end()}};
-}
 
 Vec3d middleOf(const PosedMesh& mesh, TriangleIndex triangle)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/geometry/procrustes.h"
+#include "model/sequence/io/registry.h"
 #include "model/transfer/transferclip.h"
 #include "model/transfer/transfersolver.h"
 #include "tests/model/transition/bars.h"
@@ -29,6 +30,14 @@ inline std::vector<Triangle> trianglesOf(const Topology& mesh, std::span<const T
     for (const TriangleIndex mark : marks)
         triangles.push_back(mesh.triangles()[mark.value]);
     return triangles;
+}
+
+/// The mesh of a file, as it stands in its first frame.
+inline PosedMesh firstPose(const std::filesystem::path& file)
+{
+    const MeshSequence sequence = openSequences(file).sequences.front();
+    const Frame frame = sequence.frame(FrameIndex(0));
+    return {sequence.topology, {frame.positions().begin(), frame.positions().end()}};
 }
 
 /// The greatest distance of vertices once both poses have their means at one place.
