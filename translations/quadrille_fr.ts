@@ -9122,8 +9122,8 @@
         <translation>&amp;Proposer des paires</translation>
     </message>
     <message>
-        <source>Exchanges all pairs for ones that are found by hands, feet and head</source>
-        <translation>Remplace toutes les paires par d’autres, trouvées d’après mains, pieds et tête</translation>
+        <source>Exchanges all pairs for ones that are found by laying the template onto the body</source>
+        <translation>Remplace toutes les paires par d’autres, trouvées en posant le gabarit sur le corps</translation>
     </message>
     <message>
         <source>&amp;Mirror the pair</source>
@@ -9212,8 +9212,8 @@
         <translation>Corps</translation>
     </message>
     <message>
-        <source>How alike the two places are, by how far they are from hands, feet and head and by where they face; below 30 % a look is worth while</source>
-        <translation>À quel point les deux endroits se ressemblent, d’après leur distance aux mains, aux pieds et à la tête et leur orientation ; au-dessous de 30 %, un regard vaut la peine</translation>
+        <source>How alike the two places are once the template is laid onto the body: by how far they are from hands, feet and head, where they lie and how they face; below 30 % a look is worth while</source>
+        <translation>À quel point les deux endroits se ressemblent une fois le gabarit posé sur le corps : d’après leur distance aux mains, aux pieds et à la tête, l’endroit où ils sont et leur orientation ; au-dessous de 30 %, un regard vaut la peine</translation>
     </message>
     <message>
         <source>Number of the triangle, from 0</source>

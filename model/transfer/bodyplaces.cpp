@@ -29,8 +29,6 @@ struct EndWeight
     float reach;
 };
 constexpr std::array<EndWeight, 4> endWeights{{{1, 0.42F}, {1, 0.42F}, {4, 0.6F}, {4, 0.6F}}};
-/// A pair whose places differ so much is worth half.
-constexpr double halfQuality = 0.12;
 
 /// Landmarks between which places are told: each place by how far it is on the way from one to the other.
 constexpr std::array<std::array<std::size_t, 2>, 6> ways{{{2, 4}, {3, 4}, {0, 2}, {1, 3}, {0, 1}, {2, 3}}};
@@ -236,11 +234,6 @@ std::optional<TriangleIndex> BodyPlaces::nearest(const Values& values) const
     return best;
 }
 
-std::optional<TriangleIndex> BodyPlaces::nearest(const BodyPlaces& of, TriangleIndex triangle) const
-{
-    return nearest(of.m_places[triangle.value].values);
-}
-
 std::optional<TriangleIndex> BodyPlaces::mirrored(TriangleIndex triangle) const
 {
     const Values& own = m_places[triangle.value].values;
@@ -255,13 +248,6 @@ std::optional<TriangleIndex> BodyPlaces::mirrored(TriangleIndex triangle) const
     values[static_cast<Eigen::Index>(ways.size() + endWeights.size())] *=
         -1; // what faces left then faces right
     return nearest(values);
-}
-
-double BodyPlaces::likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB)
-{
-    const float distance = (a.m_places[ofA.value].values - b.m_places[ofB.value].values).norm();
-    const double difference = static_cast<double>(distance) / halfQuality;
-    return 1 / (1 + difference * difference);
 }
 
 std::optional<TrianglePair> mirroredPair(const TrianglePair& pair, const BodyPlaces& onTemplate,

@@ -52,18 +52,17 @@ public:
     {
         return static_cast<double>(m_places[triangle.value].fromEnd);
     }
-    /// The triangle that is most at the place of another body's, by `knows`; nothing where none is known.
-    /// \pre of.knows(triangle). Cost: O(triangles); so for `mirrored`.
-    std::optional<TriangleIndex> nearest(const BodyPlaces& of, TriangleIndex triangle) const;
+    /// What tells a place: how far it is on its ways between landmarks, and from hands and feet, shares of
+    /// the body's length; where the place faces at the end, as the body stands. Those of one place of two
+    /// bodies differ by about 0.1. \pre knows(triangle).
+    using Values = Eigen::Matrix<float, 13, 1>;
+    static constexpr Eigen::Index poseFreeValues = 10; ///< that no pose changes, at the front
+    const Values& values(TriangleIndex triangle) const { return m_places[triangle.value].values; }
     /// The triangle at the same place on the other side of the body. \pre knows(triangle).
+    /// Cost: O(triangles).
     std::optional<TriangleIndex> mirrored(TriangleIndex triangle) const;
-    /// How alike two places are: 1 where nothing tells them apart; below about 0.3 a pair deserves a look.
-    /// \pre Both are known.
-    static double likeness(const BodyPlaces& a, TriangleIndex ofA, const BodyPlaces& b, TriangleIndex ofB);
 
 private:
-    /// Shares of ways between landmarks, how far hands and feet are, and where the place faces.
-    using Values = Eigen::Matrix<float, 13, 1>;
     struct Place
     {
         Values values = Values::Zero();

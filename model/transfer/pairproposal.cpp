@@ -3,6 +3,7 @@
 #include "model/transfer/pairproposal.h"
 
 #include "model/geometry/trianglelogs.h"
+#include "model/transfer/bodyalignment.h"
 #include "model/transfer/bodyplaces.h"
 #include "model/transfer/solidtarget.h"
 
@@ -140,15 +141,18 @@ std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMe
                                        std::span<const std::vector<Vec3f>> performed, std::size_t count,
                                        const Progress& progress)
 {
-    const BodyPlaces from(reference, up, ErrorCode::TransferNoLimbsOfTemplate, progress.part(0, 0.4));
-    const BodyPlaces onto(target, up, ErrorCode::TransferNoLimbsOfTarget, progress.part(0.4, 0.8));
+    const BodyPlaces from(reference, up, ErrorCode::TransferNoLimbsOfTemplate, progress.part(0, 0.3));
+    const BodyPlaces onto(target, up, ErrorCode::TransferNoLimbsOfTarget, progress.part(0.3, 0.6));
+    const BodyAlignment alignment(reference, from, target, onto, up, progress.part(0.6, 0.8));
     std::vector<ProposedPair> pairs;
     std::set<TriangleIndex> taken;
     for (const TriangleIndex triangle : spreadOver(waysAndTurns(reference, performed), from, count)) {
-        const std::optional<TriangleIndex> best = onto.nearest(from, triangle);
+        const std::optional<TriangleIndex> best = alignment.onTarget(triangle);
         progress.report(0.8 + 0.2 * static_cast<double>(pairs.size()) / static_cast<double>(count));
-        if (best && taken.insert(*best).second)
-            pairs.push_back({{triangle, *best}, BodyPlaces::likeness(from, triangle, onto, *best)});
+        if (!best || !taken.insert(*best).second)
+            continue;
+        const TrianglePair pair{triangle, *best};
+        pairs.push_back({pair, alignment.likeness(pair)});
     }
     return pairs;
 }

@@ -21,14 +21,14 @@ struct ProposedPair
     double quality = 0;
 };
 
-/// Pairs of triangles of two humanoids, whatever their poses and proportions: by how far each place is, over
-/// the surface, on its ways between hands, feet and head, and by where the surface faces. The template's
-/// triangles lie as far from each other as they can, and nearer where it bends.
+/// Pairs of triangles of two humanoids, whatever their poses and proportions: what lies on each other once
+/// the template has been laid onto the target (bodyalignment.h). The template's triangles lie as far from
+/// each other as they can, and nearer where it bends.
 /// \param reference, target  arms and legs that do not touch each other, feet on the ground.
 /// \param performed  poses of the template, all vertices, that tell where it bends; or none.
 /// \param count  how many at most; fewer where several would have one triangle of the target.
 /// \throws Error TransferNoLimbsOfTemplate, TransferNoLimbsOfTarget, Cancelled.
-/// Cost: five surface distances on each mesh, O(count · triangles · (1 + poses)).
+/// Cost: that of BodyPlaces for each mesh and of BodyAlignment, O(count · triangles · (1 + poses)).
 std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMesh& target, UpAxis up,
                                        std::span<const std::vector<Vec3f>> performed = {},
                                        std::size_t count = usualPairs, const Progress& progress = {});

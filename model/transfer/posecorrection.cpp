@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/transfer/posecorrection.h"
 
-#include "model/geometry/procrustes.h"
-#include "model/geometry/surfacedistances.h"
-#include "model/transfer/solidtarget.h"
+#include "model/transfer/pliablesurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,119 +12,40 @@ namespace quadrille {
 
 namespace {
 
-/// Each place is held by so many near ones, more where marks are dense.
-constexpr std::size_t fewestNeighbours = 4;
-constexpr std::size_t mostNeighbours = 8;
-constexpr std::size_t marksANeighbour = 20;
-/// What the way that a place faces is worth against the ways to its neighbours.
-constexpr double normalShare = 0.5;
-/// What it is worth that neighbours turn alike against the ways between them.
-constexpr double smoothness = 0.02;
-constexpr int rounds = 50;
+constexpr std::size_t fewestPairs = 4;
+/// Rounds between which it is seen anew how well each mark fits, and so often that is.
+constexpr int roundsALook = 15;
+constexpr int markLooks = 6;
+/// The first ones hold all marks alike: limbs have to get there.
+constexpr int looksAtNone = 2;
+/// A mark that misses its place by so much of the marks' spread counts half.
+constexpr double halfMiss = 0.14;
 /// Turns up to the first angle are not carried, from the second on all of them, radians.
-constexpr double ignored = 8 * std::numbers::pi / 180;
-constexpr double carried = 14 * std::numbers::pi / 180;
+constexpr double ignored = 7 * std::numbers::pi / 180;
+constexpr double carried = 10 * std::numbers::pi / 180;
 
-/// Where marked triangles are and where they face, their middles about their mean, the spread one.
-struct MarkedPlaces
+std::vector<Vec3d> middlesOf(const PosedMesh& mesh, std::span<const TrianglePair> pairs,
+                             TriangleIndex TrianglePair::*which)
 {
     std::vector<Vec3d> middles;
-    std::vector<Vec3d> normals;
-};
-
-MarkedPlaces placesOf(const PosedMesh& mesh, std::span<const TrianglePair> pairs,
-                      TriangleIndex TrianglePair::*which)
-{
-    MarkedPlaces places;
-    Vec3d mean = Vec3d::Zero();
-    for (const TrianglePair& pair : pairs) {
-        const Triangle& t = mesh.topology->triangles()[(pair.*which).value];
-        const auto corner = [&](std::size_t c) -> Vec3d { return mesh.positions[t[c].value].cast<double>(); };
-        places.middles.push_back(middleOf(t, mesh.positions));
-        places.normals.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized());
-        mean += places.middles.back() / static_cast<double>(pairs.size());
-    }
-    double square = 0;
-    for (Vec3d& p : places.middles) {
-        p -= mean;
-        square += p.squaredNorm() / static_cast<double>(pairs.size());
-    }
-    if (square > 0) {
-        for (Vec3d& p : places.middles)
-            p /= std::sqrt(square);
-    }
-    return places;
+    middles.reserve(pairs.size());
+    for (const TrianglePair& pair : pairs)
+        middles.push_back(middleOf(mesh.topology->triangles()[(pair.*which).value], mesh.positions));
+    return middles;
 }
 
 /// Whether one is more like the other seen in a mirror.
-bool areMirrored(const MarkedPlaces& from, const MarkedPlaces& onto)
+bool areMirrored(std::span<const Vec3d> from, std::span<const Vec3d> onto)
 {
     constexpr double flat = 1e-4;
+    const Spread spreadFrom = spreadOf(from);
+    const Spread spreadOnto = spreadOf(onto);
+    const double size = spreadFrom.size * spreadOnto.size * static_cast<double>(from.size());
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (std::size_t m = 0; m < from.middles.size(); ++m)
-        covariance += onto.middles[m] * from.middles[m].transpose();
-    return (covariance / static_cast<double>(from.middles.size())).determinant() < -flat;
+    for (std::size_t m = 0; m < from.size(); ++m)
+        covariance += (onto[m] - spreadOnto.middle) * (from[m] - spreadFrom.middle).transpose() / size;
+    return covariance.determinant() < -flat;
 }
-
-struct Neighbour
-{
-    std::size_t mark = 0;
-    double weight = 0;
-};
-
-/// Marks near each other over the template's surface: a hand that hangs beside the hip is not near that.
-class NearMarks
-{
-public:
-    NearMarks(const PosedMesh& reference, std::span<const TrianglePair> pairs)
-        : m_solid(*reference.topology, reference.positions)
-        , m_graph(m_solid.topology(), m_solid.positions())
-        , m_neighbours(std::clamp(pairs.size() / marksANeighbour, fewestNeighbours, mostNeighbours))
-        , m_marksAt(m_graph.vertexCount())
-    {
-        for (std::size_t m = 0; m < pairs.size(); ++m) {
-            m_triangles.push_back(m_solid.triangleOf(pairs[m].onTemplate));
-            for (const VertexIndex v : cornersOf(m))
-                m_marksAt[v.value].push_back(m);
-        }
-    }
-
-    std::vector<Neighbour> of(std::size_t mark) const
-    {
-        SurfaceDistances distances(m_graph);
-        for (const VertexIndex v : cornersOf(mark))
-            distances.add({v, 0}, 0);
-        std::vector<Neighbour> near;
-        while (near.size() < m_neighbours) {
-            const auto reached = distances.next();
-            if (!reached)
-                break;
-            for (const std::size_t m : m_marksAt[reached->vertex.value]) {
-                if (m != mark && std::ranges::find(near, m, &Neighbour::mark) == near.end())
-                    near.push_back({m, static_cast<double>(distances.at(*reached))});
-            }
-        }
-        for (Neighbour& n : near) {
-            const double share = near.back().weight > 0 ? n.weight / near.back().weight : 0;
-            n.weight = std::exp(-share * share);
-        }
-        return near;
-    }
-
-private:
-    std::span<const VertexIndex> cornersOf(std::size_t mark) const
-    {
-        if (!m_triangles[mark])
-            return {};
-        return m_solid.topology()->triangles()[*m_triangles[mark]];
-    }
-
-    SolidTarget m_solid;
-    SurfaceGraph m_graph;
-    std::size_t m_neighbours;
-    std::vector<std::optional<std::size_t>> m_triangles;
-    std::vector<std::vector<std::size_t>> m_marksAt; ///< of each vertex the marks that it is a corner of
-};
 
 /// Turns of a few degrees become none, without a step.
 Eigen::Quaterniond withoutSmallTurns(const Eigen::Quaterniond& q)
@@ -138,51 +57,35 @@ Eigen::Quaterniond withoutSmallTurns(const Eigen::Quaterniond& q)
 
 } // namespace
 
-std::vector<Eigen::Quaterniond> poseCorrections(const PosedMesh& reference, const PosedMesh& target,
+std::vector<Eigen::Quaterniond> poseCorrections(const PosedSurface& reference, const PosedMesh& target,
                                                 std::span<const TrianglePair> pairs)
 {
-    constexpr std::size_t fewest = 4;
     const std::size_t count = pairs.size();
-    if (count < fewest)
-        return std::vector(count, Eigen::Quaterniond::Identity());
-    const MarkedPlaces onto = placesOf(reference, pairs, &TrianglePair::onTemplate);
-    const MarkedPlaces from = placesOf(target, pairs, &TrianglePair::onTarget);
-    if (areMirrored(from, onto))
-        return std::vector(count, Eigen::Quaterniond::Identity());
-    const NearMarks marks(reference, pairs);
-    std::vector<std::vector<Neighbour>> near(count);
-    std::vector<Eigen::Matrix3d> data(count);
-    std::vector<double> size(count, 0);
+    std::vector<Eigen::Quaterniond> corrections(count, Eigen::Quaterniond::Identity());
+    const std::vector<Vec3d> from = middlesOf(reference.mesh(), pairs, &TrianglePair::onTemplate);
+    const std::vector<Vec3d> onto = middlesOf(target, pairs, &TrianglePair::onTarget);
+    const double spreadFrom = spreadOf(from).size;
+    const double spread = spreadOf(onto).size;
+    if (count < fewestPairs || spreadFrom == 0 || spread == 0 || areMirrored(from, onto))
+        return corrections;
+    std::vector<TriangleIndex> marks;
+    std::vector<PliableSurface::Anchor> anchors;
     for (std::size_t m = 0; m < count; ++m) {
-        near[m] = marks.of(m);
-        data[m].setZero();
-        for (const Neighbour& n : near[m]) {
-            const Vec3d a = onto.middles[n.mark] - onto.middles[m];
-            const Vec3d b = from.middles[n.mark] - from.middles[m];
-            data[m] += n.weight * a * b.transpose();
-            size[m] += n.weight * a.norm() * b.norm();
-        }
-        data[m] += normalShare * size[m] * onto.normals[m] * from.normals[m].transpose();
+        const Triangle& onTarget = target.topology->triangles()[pairs[m].onTarget.value];
+        marks.push_back(pairs[m].onTemplate);
+        anchors.push_back({m, onto[m], normalOf(onTarget, target.positions), 1});
     }
-    std::vector<Eigen::Matrix3d> turns(count, Eigen::Matrix3d::Identity());
-    for (int round = 0; round < rounds; ++round) {
-        for (std::size_t m = 0; m < count; ++m) {
-            Eigen::Matrix3d like = Eigen::Matrix3d::Zero();
-            double weights = 0;
-            for (const Neighbour& n : near[m]) {
-                like += n.weight * turns[n.mark];
-                weights += n.weight;
-            }
-            if (weights == 0)
-                continue;
-            turns[m] =
-                rotationOfCovariance(data[m] + smoothness * size[m] / weights * like).toRotationMatrix();
+    PliableSurface surface(reference, std::move(marks));
+    surface.scale(spread / spreadFrom);
+    for (int look = 0; look < markLooks; ++look) {
+        for (PliableSurface::Anchor& anchor : anchors) {
+            anchor.share =
+                look < looksAtNone ? 1 : surface.nearness(anchor.place, anchor.position, halfMiss * spread);
         }
+        surface.settle(anchors, roundsALook);
     }
-    std::vector<Eigen::Quaterniond> corrections;
-    corrections.reserve(count);
-    for (const Eigen::Matrix3d& turn : turns)
-        corrections.push_back(withoutSmallTurns(Eigen::Quaterniond(turn)));
+    for (std::size_t m = 0; m < count; ++m)
+        corrections[m] = withoutSmallTurns(Eigen::Quaterniond(surface.turn(m)).conjugate());
     return corrections;
 }
 

@@ -51,11 +51,12 @@ PreparedTransfer::PreparedTransfer(const MeshSequence& clip, const PosedMesh& re
     for (const TrianglePair& pair : pairs)
         m_triangles.push_back(target.topology->triangles()[pair.onTarget.value]);
     m_rest = poseFrames(m_triangles, target.positions);
-    follow(clip, reference, pairs, settings, progress);
-    turnBeforehand(reference, target, pairs, settings);
+    const PosedSurface surface(reference);
+    follow(clip, surface, pairs, settings, progress);
+    turnBeforehand(surface, target, pairs, settings);
 }
 
-void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& reference,
+void PreparedTransfer::follow(const MeshSequence& clip, const PosedSurface& reference,
                               std::span<const TrianglePair> pairs, const TransferSettings& settings,
                               const Progress& progress)
 {
@@ -64,10 +65,10 @@ void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& referen
         triangles.push_back(clip.topology->triangles()[pair.onTemplate.value]);
     MarkTracker tracker(settings.marksSurroundings ? patchesAbout(reference, pairs, PatchReach::NextMark)
                                                    : singleTriangles(triangles),
-                        reference.positions);
+                        reference.mesh().positions);
     std::optional<StretchTracker> stretches;
     if (settings.carriesStretch)
-        stretches.emplace(patchesAbout(reference, pairs, PatchReach::Whole), reference.positions);
+        stretches.emplace(patchesAbout(reference, pairs, PatchReach::Whole), reference.mesh().positions);
     m_course.fps = clip.fps;
     const std::int64_t count = clip.frameCount();
     m_course.stands = standingFrames(clip.contacts, count);
@@ -95,7 +96,7 @@ void PreparedTransfer::follow(const MeshSequence& clip, const PosedMesh& referen
 
 /// Marks turn from the target's own pose: first as the body turns onto the template, then into its reference
 /// pose.
-void PreparedTransfer::turnBeforehand(const PosedMesh& reference, const PosedMesh& target,
+void PreparedTransfer::turnBeforehand(const PosedSurface& reference, const PosedMesh& target,
                                       std::span<const TrianglePair> pairs, const TransferSettings& settings)
 {
     const Eigen::Quaterniond turn(

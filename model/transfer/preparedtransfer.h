@@ -4,6 +4,7 @@
 
 #include "model/geometry/surfacevolume.h"
 #include "model/transfer/placement.h"
+#include "model/transfer/posedsurface.h"
 #include "model/transfer/transferclip.h"
 #include "model/transfer/transfersolver.h"
 
@@ -44,9 +45,9 @@ public:
     double markError(std::size_t frame, Positions pose) const;
 
 private:
-    void follow(const MeshSequence& clip, const PosedMesh& reference, std::span<const TrianglePair> pairs,
+    void follow(const MeshSequence& clip, const PosedSurface& reference, std::span<const TrianglePair> pairs,
                 const TransferSettings& settings, const Progress& progress);
-    void turnBeforehand(const PosedMesh& reference, const PosedMesh& target,
+    void turnBeforehand(const PosedSurface& reference, const PosedMesh& target,
                         std::span<const TrianglePair> pairs, const TransferSettings& settings);
 
     std::size_t m_vertices;

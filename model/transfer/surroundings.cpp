@@ -120,19 +120,18 @@ MarkPatches singleTriangles(std::vector<Triangle> triangles)
     return patches;
 }
 
-MarkPatches patchesAbout(const PosedMesh& reference, std::span<const TrianglePair> pairs, PatchReach reach)
+MarkPatches patchesAbout(const PosedSurface& reference, std::span<const TrianglePair> pairs, PatchReach reach)
 {
-    const SolidTarget solid(*reference.topology, reference.positions);
-    const SurfaceGraph graph(solid.topology(), solid.positions());
-    const std::vector<Triangle>& mesh = reference.topology->triangles();
+    const SurfaceGraph& graph = reference.graph();
+    const std::vector<Triangle>& mesh = reference.mesh().topology->triangles();
     std::vector<std::size_t> ofMesh(graph.topology().triangles().size()); // of each triangle of the surface
     for (std::size_t t = 0; t < mesh.size(); ++t) {
-        if (const auto onSurface = solid.triangleOf(TriangleIndex(t)))
+        if (const auto onSurface = reference.onGraph(TriangleIndex(t)))
             ofMesh[*onSurface] = t;
     }
     std::vector<std::size_t> marks;
     for (const TrianglePair& pair : pairs) {
-        if (const auto mark = solid.triangleOf(pair.onTemplate))
+        if (const auto mark = reference.onGraph(pair.onTemplate))
             marks.push_back(*mark);
     }
     const Surroundings surroundings(graph, marks, reach);
@@ -148,7 +147,7 @@ MarkPatches patchesAbout(const PosedMesh& reference, std::span<const TrianglePai
     std::size_t next = 0;
     for (const TrianglePair& pair : pairs) {
         std::vector<Surroundings::Near>& near = patches.near.emplace_back();
-        if (!solid.triangleOf(pair.onTemplate)) {
+        if (!reference.onGraph(pair.onTemplate)) {
             near.push_back({add(pair.onTemplate.value), 1});
             continue;
         }

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "model/geometry/surfacedistances.h"
-#include "model/transfer/solidtarget.h"
-#include "model/transfer/transferclip.h"
+#include "model/transfer/posedsurface.h"
 
 #include <cstdint>
 #include <span>
@@ -66,8 +65,8 @@ struct MarkPatches
 
 /// Marked triangles alone, as published (SCANS §4).
 MarkPatches singleTriangles(std::vector<Triangle> triangles);
-/// What lies about the template's triangles of some pairs; those alone that have no area. \throws Error as
-/// SolidTarget.
-MarkPatches patchesAbout(const PosedMesh& reference, std::span<const TrianglePair> pairs, PatchReach reach);
+/// What lies about the template's triangles of some pairs; those alone that have no area.
+MarkPatches patchesAbout(const PosedSurface& reference, std::span<const TrianglePair> pairs,
+                         PatchReach reach);
 
 } // namespace quadrille

@@ -64,6 +64,12 @@ Vec3d middleOf(const Triangle& triangle, Positions pose)
     return (pose[triangle[0].value] + pose[triangle[1].value] + pose[triangle[2].value]).cast<double>() / 3;
 }
 
+Vec3d normalOf(const Triangle& triangle, Positions pose)
+{
+    const auto corner = [&](std::size_t c) -> Vec3d { return pose[triangle[c].value].cast<double>(); };
+    return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+}
+
 void checkPairs(const Topology& reference, const Topology& target, std::span<const TrianglePair> pairs)
 {
     if (pairs.empty())

@@ -60,6 +60,8 @@ struct Transferred
 
 /// Of the corners of a triangle in a pose.
 Vec3d middleOf(const Triangle& triangle, Positions pose);
+/// Of unit length; zero where the triangle has no area.
+Vec3d normalOf(const Triangle& triangle, Positions pose);
 
 /// \throws Error TransferNoPairs, TransferTriangleOfTemplate and …OfTarget (there is no such triangle),
 /// TransferTriangleTwice (one of the target in two pairs).

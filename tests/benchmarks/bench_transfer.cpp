@@ -46,7 +46,8 @@ void poseByMarks(benchmark::State& state)
     std::vector<TrianglePair> pairs;
     for (const TriangleIndex mark : s.marks)
         pairs.push_back({mark, mark});
-    const PosedMesh rest{s.bar.topology, s.bar.positions};
+    const PosedMesh mesh{s.bar.topology, s.bar.positions};
+    const PosedSurface rest(mesh);
     MarkTracker tracker(asPublished ? singleTriangles(s.marked)
                                     : patchesAbout(rest, pairs, PatchReach::NextMark),
                         s.bar.positions);

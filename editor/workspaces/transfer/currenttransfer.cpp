@@ -76,13 +76,9 @@ std::vector<ProposedPair> CurrentTransfer::pairs() const
     for (const TrianglePair& pair : entry()->pairs) {
         all.push_back({pair, std::numeric_limits<double>::quiet_NaN()});
         ProposedPair& own = all.back();
-        if (shown == nullptr || !shown->templatePlaces || !shown->targetPlaces ||
-            pair.onTemplate.value >= shown->templatePlaces->size() ||
-            pair.onTarget.value >= shown->targetPlaces->size())
-            continue;
-        if (shown->templatePlaces->knows(pair.onTemplate) && shown->targetPlaces->knows(pair.onTarget))
-            own.quality = BodyPlaces::likeness(*shown->templatePlaces, pair.onTemplate, *shown->targetPlaces,
-                                               pair.onTarget);
+        if (shown != nullptr && shown->alignment && pair.onTemplate.value < shown->templatePlaces->size() &&
+            pair.onTarget.value < shown->targetPlaces->size())
+            own.quality = shown->alignment->likeness(pair);
     }
     return all;
 }
@@ -204,13 +200,13 @@ bool CurrentTransfer::mirrorPair(int pair)
 std::optional<std::uint32_t> CurrentTransfer::counterpart(int side, std::uint32_t triangle) const
 {
     const TransferPreviewPointer shown = preview();
-    if (shown == nullptr || !shown->templatePlaces || !shown->targetPlaces)
+    if (shown == nullptr || !shown->alignment)
         return std::nullopt;
     const BodyPlaces& from = side == 0 ? *shown->templatePlaces : *shown->targetPlaces;
-    const BodyPlaces& onto = side == 0 ? *shown->targetPlaces : *shown->templatePlaces;
-    if (triangle >= from.size() || !from.knows(TriangleIndex(triangle)))
+    if (triangle >= from.size())
         return std::nullopt;
-    const auto found = onto.nearest(from, TriangleIndex(triangle));
+    const TriangleIndex picked(triangle);
+    const auto found = side == 0 ? shown->alignment->onTarget(picked) : shown->alignment->onTemplate(picked);
     return found ? std::optional(static_cast<std::uint32_t>(found->value)) : std::nullopt;
 }
 

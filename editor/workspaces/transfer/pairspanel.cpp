@@ -81,9 +81,10 @@ PairsPanel::PairsPanel(PairTool& tool, QWidget* parent)
 void PairsPanel::retranslate()
 {
     m_list->setHeaderLabels({tr("Pair"), tr("Part"), tr("Likeness"), tr("Template"), tr("Body")});
-    m_list->headerItem()->setToolTip(likenessColumn,
-                                     tr("How alike the two places are, by how far they are from hands, feet "
-                                        "and head and by where they face; below 30 % a look is worth while"));
+    m_list->headerItem()->setToolTip(
+        likenessColumn, tr("How alike the two places are once the template is laid onto the body: by "
+                           "how far they are from hands, feet and head, where they lie and how they "
+                           "face; below 30 % a look is worth while"));
     for (const int column : {templateColumn, bodyColumn})
         m_list->headerItem()->setToolTip(column, tr("Number of the triangle, from 0"));
     m_list->setAccessibleName(tr("Pairs of triangles"));

@@ -69,7 +69,10 @@ void PairTool::makeActions()
     actions.add({"transfer.propose",
                  group,
                  [] { return tr("&Propose pairs"); },
-                 [] { return tr("Exchanges all pairs for ones that are found by hands, feet and head"); },
+                 [] {
+                     return tr(
+                         "Exchanges all pairs for ones that are found by laying the template onto the body");
+                 },
                  "parts",
                  {}},
                 [this] { propose(); });

@@ -81,17 +81,29 @@ std::vector<TrianglePair> pairsOf(const std::vector<ProposedPair>& proposed)
     return pairs;
 }
 
-/// How alike the places of pairs by hand are, where both bodies have known places.
+/// How alike the places of pairs by hand are, where that is known.
 void rate(TransferPreview& preview)
 {
-    if (!preview.templatePlaces || !preview.targetPlaces)
+    if (!preview.alignment)
         return;
     for (ProposedPair& each : preview.pairs) {
-        if (std::isnan(each.quality) && preview.templatePlaces->knows(each.pair.onTemplate) &&
-            preview.targetPlaces->knows(each.pair.onTarget))
-            each.quality = BodyPlaces::likeness(*preview.templatePlaces, each.pair.onTemplate,
-                                                *preview.targetPlaces, each.pair.onTarget);
+        if (std::isnan(each.quality))
+            each.quality = preview.alignment->likeness(each.pair);
     }
+}
+
+std::shared_ptr<const BodyAlignment> alignmentOf(const TransferPreview& preview,
+                                                 const TransferPreview* before, const Progress& progress)
+{
+    if (!preview.templatePlaces || !preview.targetPlaces)
+        return nullptr;
+    if (before != nullptr && before->alignment && before->templatePlaces == preview.templatePlaces &&
+        before->targetPlaces == preview.targetPlaces &&
+        before->templatePose.positions == preview.templatePose.positions)
+        return before->alignment;
+    return std::make_shared<const BodyAlignment>(preview.templatePose, *preview.templatePlaces,
+                                                 preview.targetPose, *preview.targetPlaces, preview.up,
+                                                 progress);
 }
 
 } // namespace
@@ -150,6 +162,7 @@ TransferPreviewPointer previewTransfer(const ProjectResults& results, const std:
     preview.templatePlaces = before != nullptr && haveOneTemplate(*before, preview)
                                  ? before->templatePlaces
                                  : placesOf(reference, up, Progress(progress.token()));
+    preview.alignment = alignmentOf(preview, before.get(), Progress(progress.token()));
     rate(preview);
     preview.reference = still(preview.performed, std::move(reference.positions), up, unitsPerMetre);
     progress.report(1);

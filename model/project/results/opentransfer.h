@@ -6,6 +6,7 @@
 #include "model/project/document/transferentry.h"
 #include "model/project/media/opensequence.h"
 #include "model/project/results/projectresults.h"
+#include "model/transfer/bodyalignment.h"
 #include "model/transfer/bodyplaces.h"
 #include "model/transfer/pairproposal.h"
 #include "model/transfer/transfersolver.h"
@@ -28,6 +29,8 @@ struct TransferPreview
     /// Null where no limbs were found, so for the next. In another pose of the template it is not made again.
     std::shared_ptr<const BodyPlaces> templatePlaces;
     std::shared_ptr<const BodyPlaces> targetPlaces;
+    /// Of the template as in `reference`; null without both.
+    std::shared_ptr<const BodyAlignment> alignment;
     MeshSequence performed;          ///< the clip
     MeshSequence reference;          ///< one frame: the pose of the template that the target's is like
     MeshSequence rest;               ///< one frame: the target, turned as the template

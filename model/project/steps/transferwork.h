@@ -17,7 +17,7 @@ class TransferWork
 {
 public:
     /// Of the steps that make transfers, and of those that measure them, see BuildStep::version.
-    static constexpr int version = 6;
+    static constexpr int version = 7;
 
     TransferWork(std::shared_ptr<SequenceOpener> opener, TransferEntry entry);
 

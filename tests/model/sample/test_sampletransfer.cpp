@@ -178,12 +178,10 @@ TEST_F(SampleTransfer, keepsTheLikenessOfProposedPairsOnceTheyAreTheProjects)
     const ProjectResults results({m_project, m_file});
     const TransferPreviewPointer preview = previewTransfer(results, m_project.transfers[0].name, nullptr);
     ASSERT_TRUE(preview->posed);
-    ASSERT_TRUE(preview->templatePlaces && preview->targetPlaces);
+    ASSERT_TRUE(preview->alignment);
     EXPECT_GT(preview->pairs.size(), 100U);
     for (const ProposedPair& each : preview->pairs)
-        EXPECT_NEAR(BodyPlaces::likeness(*preview->templatePlaces, each.pair.onTemplate,
-                                         *preview->targetPlaces, each.pair.onTarget),
-                    each.quality, 1e-6);
+        EXPECT_NEAR(preview->alignment->likeness(each.pair), each.quality, 1e-6);
 }
 
 } // namespace

@@ -23,7 +23,8 @@ protected:
     std::vector<Eigen::Quaterniond> corrections(const std::vector<Vec3f>& reference,
                                                 const std::vector<Vec3f>& target) const
     {
-        return poseCorrections({m_bar.topology, reference}, {m_bar.topology, target}, m_pairs);
+        const PosedMesh posed{m_bar.topology, reference};
+        return poseCorrections(PosedSurface(posed), {m_bar.topology, target}, m_pairs);
     }
 
     Bar m_bar = makeBar(41, 4, 2, 0.3F);

@@ -29,8 +29,8 @@ protected:
 
     std::vector<Eigen::Matrix3d> after(const std::vector<Vec3f>& pose) const
     {
-        return StretchTracker(patchesAbout({m_bar.topology, m_bar.positions}, m_pairs, PatchReach::Whole),
-                              m_bar.positions)
+        const PosedMesh rest{m_bar.topology, m_bar.positions};
+        return StretchTracker(patchesAbout(PosedSurface(rest), m_pairs, PatchReach::Whole), m_bar.positions)
             .next(pose);
     }
     std::vector<Vec3f> stretched() const

@@ -149,5 +149,5 @@ TEST(MarkTracker, TakesTheMeanOfAPatch)
     };
     const double alone = turnBy(singleTriangles({bar.topology->triangles()[200]}));
     EXPECT_GT(alone, 10 * degree);
-    EXPECT_LT(turnBy(patchesAbout(reference, pairs, PatchReach::NextMark)), alone / 2);
+    EXPECT_LT(turnBy(patchesAbout(PosedSurface(reference), pairs, PatchReach::NextMark)), alone / 2);
 }
