@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What all fields of the window have in common: the wheel, and undoing while one is edited.
 #include "editor/fields/numberfield.h"
+#include "editor/fields/verticalscroll.h"
 #include "editor/workspaces/workspace.h"
 #include "tests/qt/registry.h"
 #include "variationsfixture.h"
@@ -9,6 +10,8 @@
 #include <QAbstractSlider>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -16,6 +19,7 @@
 #include <QTabBar>
 #include <QTestEventList>
 #include <QWheelEvent>
+#include <memory>
 
 namespace quadrille {
 
@@ -187,6 +191,27 @@ private slots:
         QTest::keySequence(name, QKeySequence::Undo);
         QTRY_VERIFY(document().sequence("first") != nullptr);
         QTRY_COMPARE(name->text(), QString("first"));
+    }
+
+    void formsAreNotCutOffAtTheirSides()
+    {
+        auto* form = new QWidget;
+        auto* row = new QHBoxLayout(form);
+        auto* name = new QLabel("Scale");
+        row->addWidget(name);
+        const std::unique_ptr<QScrollArea> area(verticalScroll(form));
+        area->show();
+        const auto needed = [&] {
+            return form->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width();
+        };
+        QTRY_COMPARE(area->minimumWidth(), needed());
+        const int before = area->minimumWidth();
+        name->setText("Échelle du chemin"); // as another language has it
+        QTRY_COMPARE(area->minimumWidth(), needed());
+        QVERIFY(area->minimumWidth() > before);
+        name->setText(QString(300, 'w'));
+        QTRY_VERIFY(area->horizontalScrollBar()->maximum() > 0);
+        QVERIFY(area->minimumWidth() < needed());
     }
 };
 

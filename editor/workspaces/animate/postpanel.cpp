@@ -98,15 +98,6 @@ void PostPanel::refresh()
     m_fields.show(*shown);
     refreshCurve(*shown);
     refreshProblems(*shown);
-    keepResetButtonsWhole();
-}
-
-/// The form does not scroll to the side: what it needs at least, it gets.
-void PostPanel::keepResetButtonsWhole()
-{
-    m_form->layout()->activate();
-    m_scroll->setMinimumWidth(m_form->minimumSizeHint().width() +
-                              m_scroll->verticalScrollBar()->sizeHint().width());
 }
 
 /// Says beside a setting why it does nothing, or why the clip could not be made with it.

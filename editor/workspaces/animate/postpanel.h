@@ -52,7 +52,6 @@ private:
 
     void retranslate();
     void refresh();
-    void keepResetButtonsWhole();
     void refreshProblems(const AnimationEntry& entry);
     /// Offers the variations of the animation's character.
     void refreshRepeats(const AnimationEntry& entry);
