@@ -4,6 +4,7 @@
 #include "model/geometry/sparsecholesky.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quadrille {
@@ -132,13 +133,41 @@ QUADRILLE_SIMD_CLONES void factoriseFronts(const CholeskyPattern& pattern, const
     }
 }
 
-QUADRILLE_INLINE Four* row(double* x, int index)
+/// A row of some groups of four right-hand sides.
+template <int groups>
+struct Row
 {
-    return reinterpret_cast<Four*>(x + std::ptrdiff_t{4} * index);
-}
+    struct Group
+    {
+        Four four{};
+    };
+    std::array<Group, groups> values;
 
-QUADRILLE_SIMD_CLONES void solveForward(const CholeskyPattern& pattern, const double* panels, double* x)
+    QUADRILLE_INLINE static Row* at(double* x, int index)
+    {
+        return reinterpret_cast<Row*>(x + std::ptrdiff_t{4} * groups * index);
+    }
+    QUADRILLE_INLINE void add(const Row& other, double factor)
+    {
+        for (std::size_t g = 0; g < groups; ++g)
+            values[g].four += other.values[g].four * factor;
+    }
+    QUADRILLE_INLINE void subtract(const Row& other)
+    {
+        for (std::size_t g = 0; g < groups; ++g)
+            values[g].four -= other.values[g].four;
+    }
+    QUADRILLE_INLINE void scale(double factor)
+    {
+        for (std::size_t g = 0; g < groups; ++g)
+            values[g].four *= factor;
+    }
+};
+
+template <int groups>
+QUADRILLE_INLINE void forward(const CholeskyPattern& pattern, const double* panels, double* x)
 {
+    using Own = Row<groups>;
     const std::vector<Supernode>& nodes = pattern.supernodes();
     for (std::size_t s = 0; s + 1 < nodes.size(); ++s) {
         const Supernode& node = nodes[s];
@@ -146,46 +175,49 @@ QUADRILLE_SIMD_CLONES void solveForward(const CholeskyPattern& pattern, const do
         const int* const rows = pattern.rows().data() + node.rowsAt;
         for (int k = 0; k < node.columns; ++k) {
             const double* const column = panel + std::ptrdiff_t{k} * node.stride;
-            const Four value = *row(x, node.first + k) * column[k];
-            *row(x, node.first + k) = value;
+            Own value = *Own::at(x, node.first + k);
+            value.scale(column[k]);
+            *Own::at(x, node.first + k) = value;
             for (int r = k + 1; r < node.columns; ++r)
-                *row(x, node.first + r) -= value * column[r];
+                Own::at(x, node.first + r)->add(value, -column[r]);
         }
         for (int r = node.columns; r < node.rows; r += 4) {
-            Four sum0{};
-            Four sum1{};
-            Four sum2{};
-            Four sum3{};
+            Own sum0;
+            Own sum1;
+            Own sum2;
+            Own sum3;
             const double* entry = panel + r;
             for (int k = 0; k < node.columns; ++k, entry += node.stride) {
-                const Four value = *row(x, node.first + k);
-                sum0 += value * entry[0];
-                sum1 += value * entry[1];
-                sum2 += value * entry[2];
-                sum3 += value * entry[3];
+                const Own value = *Own::at(x, node.first + k);
+                sum0.add(value, entry[0]);
+                sum1.add(value, entry[1]);
+                sum2.add(value, entry[2]);
+                sum3.add(value, entry[3]);
             }
             const int count = node.rows - r;
-            *row(x, rows[r]) -= sum0;
+            Own::at(x, rows[r])->subtract(sum0);
             if (count > 1)
-                *row(x, rows[r + 1]) -= sum1;
+                Own::at(x, rows[r + 1])->subtract(sum1);
             if (count > 2)
-                *row(x, rows[r + 2]) -= sum2;
+                Own::at(x, rows[r + 2])->subtract(sum2);
             if (count > 3)
-                *row(x, rows[r + 3]) -= sum3;
+                Own::at(x, rows[r + 3])->subtract(sum3);
         }
     }
 }
 
-QUADRILLE_SIMD_CLONES void solveBackward(const CholeskyPattern& pattern, const double* panels, double* x,
-                                         double* gathered)
+template <int groups>
+QUADRILLE_INLINE void backward(const CholeskyPattern& pattern, const double* panels, double* x,
+                               double* gathered)
 {
+    using Own = Row<groups>;
     const std::vector<Supernode>& nodes = pattern.supernodes();
     for (std::size_t s = nodes.size() - 1; s-- > 0;) {
         const Supernode& node = nodes[s];
         const double* const panel = panels + node.panelAt;
         const int* const rows = pattern.rows().data() + node.rowsAt;
         for (int r = node.columns; r < node.rows; ++r)
-            *row(gathered, r) = *row(x, rows[r]);
+            *Own::at(gathered, r) = *Own::at(x, rows[r]);
         for (int k = 0; k < node.columns; k += 4) {
             const std::ptrdiff_t stride = node.stride;
             const int count = std::min(4, node.columns - k);
@@ -194,33 +226,49 @@ QUADRILLE_SIMD_CLONES void solveBackward(const CholeskyPattern& pattern, const d
             const double* const column1 = panel + std::min(k + 1, node.columns - 1) * stride;
             const double* const column2 = panel + std::min(k + 2, node.columns - 1) * stride;
             const double* const column3 = panel + std::min(k + 3, node.columns - 1) * stride;
-            Four sum0{};
-            Four sum1{};
-            Four sum2{};
-            Four sum3{};
+            Own sum0;
+            Own sum1;
+            Own sum2;
+            Own sum3;
             for (int r = node.columns; r < node.rows; ++r) {
-                const Four value = *row(gathered, r);
-                sum0 += value * column0[r];
-                sum1 += value * column1[r];
-                sum2 += value * column2[r];
-                sum3 += value * column3[r];
+                const Own value = *Own::at(gathered, r);
+                sum0.add(value, column0[r]);
+                sum1.add(value, column1[r]);
+                sum2.add(value, column2[r]);
+                sum3.add(value, column3[r]);
             }
-            *row(x, node.first + k) -= sum0;
+            Own::at(x, node.first + k)->subtract(sum0);
             if (count > 1)
-                *row(x, node.first + k + 1) -= sum1;
+                Own::at(x, node.first + k + 1)->subtract(sum1);
             if (count > 2)
-                *row(x, node.first + k + 2) -= sum2;
+                Own::at(x, node.first + k + 2)->subtract(sum2);
             if (count > 3)
-                *row(x, node.first + k + 3) -= sum3;
+                Own::at(x, node.first + k + 3)->subtract(sum3);
         }
         for (int k = node.columns; k-- > 0;) {
             const double* const column = panel + std::ptrdiff_t{k} * node.stride;
-            Four value = *row(x, node.first + k);
+            Own value = *Own::at(x, node.first + k);
             for (int r = k + 1; r < node.columns; ++r)
-                value -= *row(x, node.first + r) * column[r];
-            *row(x, node.first + k) = value * column[k];
+                value.add(*Own::at(x, node.first + r), -column[r]);
+            value.scale(column[k]);
+            *Own::at(x, node.first + k) = value;
         }
     }
+}
+
+// Clones cannot be templates.
+QUADRILLE_SIMD_CLONES void solveFour(const CholeskyPattern& pattern, const double* panels, double* x,
+                                     double* gathered)
+{
+    forward<1>(pattern, panels, x);
+    backward<1>(pattern, panels, x, gathered);
+}
+
+QUADRILLE_SIMD_CLONES void solveTwelve(const CholeskyPattern& pattern, const double* panels, double* x,
+                                       double* gathered)
+{
+    forward<3>(pattern, panels, x);
+    backward<3>(pattern, panels, x, gathered);
 }
 
 #undef QUADRILLE_INLINE
@@ -237,11 +285,10 @@ void CholeskyFactor::factorise(const CholeskyPattern& pattern, std::span<const d
     factoriseFronts(pattern, values.data(), m_panels.data(), work.data(), diagonal.data());
 }
 
-void CholeskyFactor::solve(std::span<double> x) const
+void CholeskyFactor::solve(std::span<double> x, std::size_t groups) const
 {
-    std::vector<double> gathered(static_cast<std::size_t>(m_pattern->longestRows()) * lanes);
-    solveForward(*m_pattern, m_panels.data(), x.data());
-    solveBackward(*m_pattern, m_panels.data(), x.data(), gathered.data());
+    std::vector<double> gathered(static_cast<std::size_t>(m_pattern->longestRows()) * lanes * groups);
+    (groups == 1 ? solveFour : solveTwelve)(*m_pattern, m_panels.data(), x.data(), gathered.data());
 }
 
 } // namespace quadrille

@@ -20,6 +20,15 @@ enum class FieldKind
     Logarithms,
 };
 
+/// How the marked triangles of a template are deformed in one frame, from the reference pose.
+struct MarkDeformations
+{
+    std::vector<Eigen::Quaterniond> rotations; ///< unit quaternions
+    Eigen::Quaterniond root;                   ///< the mean of those: the rotation of the body as a whole
+    /// How they are stretched beforehand, symmetric matrices; empty where they only turn.
+    std::vector<Eigen::Matrix3d> stretches;
+};
+
 /// The rotations of all triangles of a target from those of marked ones, and how they are stretched.
 /// Immutable; safe from any thread.
 class DeformationField
@@ -29,21 +38,21 @@ public:
     DeformationField(const HarmonicSystem& system, std::vector<std::size_t> marks, FieldKind kind,
                      std::span<const std::vector<std::uint32_t>> held = {});
 
-    /// The rotations at the vertices.
-    /// \param marks  those of the marked triangles, unit quaternions whose signs go together, see
-    /// MarkTracker. \param root  that of the body as a whole; its sign goes with theirs. \param x  (rows + 1)
-    /// × 4: quaternions w, x, y, z of any length, in the order of HarmonicSystem::rowOf.
-    void solve(std::span<const Eigen::Quaterniond> marks, const Eigen::Quaterniond& root,
-               std::vector<double>& x) const;
-    /// The edges of all triangles, stretched by the mean of what harmonic fields make of the marks' stretches
-    /// at their corners. \param marks  symmetric matrices in the axes of the pose at rest. \param x  memory.
-    /// \param rest  the edges at rest.
-    void stretch(std::span<const Eigen::Matrix3d> marks, std::vector<double>& x,
-                 std::span<const TriangleEdges> rest, std::span<TriangleEdges> stretched) const;
-    /// The edges of all triangles, turned: by the mean of the rotations at their corners, marked ones by
-    /// their own. \param x  as `solve` left it. \param rest  the edges before.
-    void turn(std::span<const Eigen::Quaterniond> marks, std::span<const double> x,
-              std::span<const TriangleEdges> rest, std::span<TriangleEdges> turned) const;
+    /// The rotations at the vertices, and the stretches where there are any.
+    /// \param marks  rotations of the marked triangles, unit quaternions whose signs go together, see
+    /// MarkTracker; that of the body as a whole, whose sign goes with theirs; stretches, symmetric matrices
+    /// in the axes of the pose at rest, or none. \param x  (rows + 1) × `width`, in the order of
+    /// HarmonicSystem::rowOf: quaternions w, x, y, z of any length, then the stretches' diagonals, and what
+    /// is off it (yz, xz, xy), each with a zero behind it.
+    void solve(const MarkDeformations& marks, std::vector<double>& x) const;
+    static std::size_t width(const MarkDeformations& marks)
+    {
+        return HarmonicField::lanes * (marks.stretches.empty() ? 1 : 3);
+    }
+    /// The edges of all triangles, stretched and turned by the means of what is at their corners, marked ones
+    /// by their own. \param x  as `solve` left it. \param rest  the edges at rest.
+    void deform(const MarkDeformations& marks, std::span<const double> x, std::span<const TriangleEdges> rest,
+                std::span<TriangleEdges> deformed) const;
 
 private:
     const HarmonicSystem* m_system;

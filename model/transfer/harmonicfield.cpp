@@ -83,7 +83,7 @@ HarmonicSystem::HarmonicSystem(const SolidTarget& target, const Edges& edges)
 
 HarmonicField::HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks,
                              std::span<const std::vector<std::uint32_t>> held)
-    : m_system(&system)
+    : m_system(&system), m_marks(marks.size())
 {
     std::map<int, int> marksAt; // of each row that is given
     for (const std::size_t mark : marks) {
@@ -108,12 +108,15 @@ HarmonicField::HarmonicField(const HarmonicSystem& system, std::span<const std::
 
 void HarmonicField::solve(std::span<const Value> values, std::vector<double>& x) const
 {
-    x.assign((static_cast<std::size_t>(m_system->pattern().size()) + 1) * lanes, 0.0);
+    const std::size_t fields = values.size() / m_marks;
+    x.assign((static_cast<std::size_t>(m_system->pattern().size()) + 1) * lanes * fields, 0.0);
     for (const Given& given : m_given) {
-        for (std::size_t l = 0; l < lanes; ++l)
-            x[given.row * lanes + l] += given.share * values[given.mark][l];
+        for (std::size_t f = 0; f < fields; ++f) {
+            for (std::size_t l = 0; l < lanes; ++l)
+                x[(given.row * fields + f) * lanes + l] += given.share * values[given.mark * fields + f][l];
+        }
     }
-    m_factor.solve(x);
+    m_factor.solve(x, fields);
 }
 
 } // namespace quadrille

@@ -52,8 +52,10 @@ public:
     HarmonicField(const HarmonicSystem& system, std::span<const std::size_t> marks,
                   std::span<const std::vector<std::uint32_t>> held = {});
 
-    /// \param values  at the marks. Where marked triangles share a corner it has their mean.
-    /// \param x  (rows + 1) × 4: the field at the vertices, in the order of HarmonicSystem::rowOf.
+    /// Solves for one field or three at once.
+    /// \param values  at the marks: of each mark those of all fields. Where marked triangles share a corner
+    /// it has their mean. \param x  (rows + 1) × 4 · fields: the fields at the vertices, in the order of
+    /// HarmonicSystem::rowOf.
     void solve(std::span<const Value> values, std::vector<double>& x) const;
 
 private:
@@ -65,6 +67,7 @@ private:
     };
 
     const HarmonicSystem* m_system;
+    std::size_t m_marks;
     CholeskyFactor m_factor;
     std::vector<Given> m_given;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/geometry/poseframes.h"
+#include "model/transfer/deformationfield.h"
 #include "model/transfer/surroundings.h"
 
 #include <Eigen/Geometry>
@@ -10,15 +11,6 @@
 #include <vector>
 
 namespace quadrille {
-
-/// How the marked triangles of a template are deformed in one frame, from the reference pose.
-struct MarkDeformations
-{
-    std::vector<Eigen::Quaterniond> rotations; ///< unit quaternions
-    Eigen::Quaterniond root;                   ///< the mean of those: the rotation of the body as a whole
-    /// How they are stretched beforehand, symmetric matrices; empty where they only turn.
-    std::vector<Eigen::Matrix3d> stretches;
-};
 
 /// Follows marked triangles of a template, or what lies about them, from frame to frame (SCANS §4). A
 /// rotation is two quaternions: in the first frame signs are chosen so that marks which turn alike have like

@@ -68,15 +68,10 @@ TransferSolver::TransferSolver(std::shared_ptr<const TransferTarget> target,
 void TransferSolver::pose(const MarkDeformations& deformations, MutablePositions out, Scratch& scratch) const
 {
     const SolidTarget& surface = m_target->surface();
-    std::span<const TriangleEdges> rest = m_target->edges();
-    scratch.edges.resize(rest.size());
-    if (!deformations.stretches.empty()) {
-        scratch.stretched.resize(rest.size());
-        m_field.stretch(deformations.stretches, scratch.field, rest, scratch.stretched);
-        rest = scratch.stretched;
-    }
-    m_field.solve(deformations.rotations, deformations.root, scratch.field);
-    m_field.turn(deformations.rotations, scratch.field, rest, scratch.edges);
+    scratch.edges.resize(m_target->edges().size());
+    scratch.width = DeformationField::width(deformations);
+    m_field.solve(deformations, scratch.field);
+    m_field.deform(deformations, scratch.field, m_target->edges(), scratch.edges);
     m_target->poisson().solve(scratch.edges, scratch.solution);
     place(scratch);
     for (std::size_t v = 0; v < out.size(); ++v)
@@ -90,8 +85,7 @@ void TransferSolver::pose(const MarkDeformations& deformations, MutablePositions
 Eigen::Quaterniond TransferSolver::rotationAt(std::uint32_t vertex, const Scratch& scratch) const
 {
     const double* const q =
-        scratch.field.data() +
-        HarmonicField::lanes * static_cast<std::size_t>(m_target->harmonic().rowOf(vertex));
+        scratch.field.data() + scratch.width * static_cast<std::size_t>(m_target->harmonic().rowOf(vertex));
     return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
 }
 

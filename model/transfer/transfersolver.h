@@ -42,9 +42,9 @@ private:
 };
 
 /// Poses a target as the marked triangles of a template are deformed (SCANS §4): a field of rotations from
-/// those of the marks, two of stretches where these are given, then the surface whose triangles come nearest
-/// to the deformed ones, by one back-substitution each. Immutable; safe from any thread, each with its own
-/// scratch.
+/// those of the marks, with two of stretches where these are given, then the surface whose triangles come
+/// nearest to the deformed ones, by one back-substitution each. Immutable; safe from any thread, each with
+/// its own scratch.
 class TransferSolver
 {
 public:
@@ -59,8 +59,8 @@ public:
     struct Scratch
     {
         std::vector<double> field;
+        std::size_t width = 0; ///< numbers of the field at a vertex
         std::vector<double> solution;
-        std::vector<TriangleEdges> stretched;
         std::vector<TriangleEdges> edges;
         std::vector<Vec3f> surface;
     };

@@ -82,10 +82,12 @@ void sparseSolve(benchmark::State& run)
     const SparseProblem& problem = sparseProblem(run);
     CholeskyFactor factor;
     factor.factorise(*problem.pattern, problem.values);
-    std::vector<double> x(static_cast<std::size_t>(problem.pattern->size() + 1) * CholeskyFactor::lanes, 0.1);
+    const auto groups = static_cast<std::size_t>(run.range(1));
+    std::vector<double> x(
+        static_cast<std::size_t>(problem.pattern->size() + 1) * CholeskyFactor::lanes * groups, 0.1);
     for (auto _ : run) {
         std::vector<double> solution = x;
-        factor.solve(solution);
+        factor.solve(solution, groups);
         benchmark::DoNotOptimize(solution.data());
     }
 }
@@ -321,7 +323,10 @@ BENCHMARK(sparsePattern)->Apply(sparseSizes);
 BENCHMARK(sparsePatternByEigen)->Apply(sparseSizes);
 BENCHMARK(sparseFactor)->Apply(sparseSizes);
 BENCHMARK(sparseFactorByEigen)->Apply(sparseSizes);
-BENCHMARK(sparseSolve)->Apply(sparseSizes);
+BENCHMARK(sparseSolve)
+    ->ArgNames({"vertices", "groups"})
+    ->ArgsProduct({{3000, 10000}, {1, 3}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(sparseSolveByEigen)->Apply(sparseSizes);
 BENCHMARK(denseFactor)->Apply(denseSizes);
 BENCHMARK(denseFactorByEigen)->Apply(denseSizes);

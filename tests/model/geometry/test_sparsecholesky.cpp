@@ -53,18 +53,19 @@ Eigen::MatrixXd solved(const Problem& problem, const Eigen::MatrixXd& right)
         values.push_back(problem.matrix(a, b));
     CholeskyFactor factor;
     factor.factorise(pattern, values);
-    const auto place = [&pattern](int r, int c) {
-        return static_cast<std::size_t>(pattern.rowOf(r)) * 4 + static_cast<std::size_t>(c);
+    const auto columns = static_cast<std::size_t>(right.cols());
+    const auto place = [&pattern, columns](int r, Eigen::Index c) {
+        return static_cast<std::size_t>(pattern.rowOf(r)) * columns + static_cast<std::size_t>(c);
     };
-    std::vector<double> x((static_cast<std::size_t>(size) + 1) * 4, 7.0);
+    std::vector<double> x((static_cast<std::size_t>(size) + 1) * columns, 7.0);
     for (int r = 0; r < size; ++r) {
-        for (int c = 0; c < 4; ++c)
+        for (Eigen::Index c = 0; c < right.cols(); ++c)
             x[place(r, c)] = right(r, c);
     }
-    factor.solve(x);
-    Eigen::MatrixXd out(size, 4);
+    factor.solve(x, columns / CholeskyFactor::lanes);
+    Eigen::MatrixXd out(size, right.cols());
     for (int r = 0; r < size; ++r) {
-        for (int c = 0; c < 4; ++c)
+        for (Eigen::Index c = 0; c < right.cols(); ++c)
             out(r, c) = x[place(r, c)];
     }
     EXPECT_EQ(x.back(), 7.0);
@@ -124,6 +125,19 @@ TEST(SparseCholesky, AgreesOnAGrid)
     const Eigen::MatrixXd right = Eigen::MatrixXd::Random(side * side, 4);
     const Eigen::MatrixXd expected = problem.matrix.llt().solve(right);
     EXPECT_LT((solved(problem, right) - expected).norm() / expected.norm(), 1e-12);
+}
+
+TEST(SparseCholesky, SolvesForTwelveAsForThreeTimesFour)
+{
+    for (const auto& [size, edgeCount] : {std::pair{1, 0}, {9, 0}, {60, 120}, {200, 300}, {150, 2000}}) {
+        const Problem problem = randomProblem(size, edgeCount, 1);
+        const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 12);
+        const Eigen::MatrixXd all = solved(problem, right);
+        const Eigen::MatrixXd expected = problem.matrix.llt().solve(right);
+        EXPECT_LT((all - expected).norm() / expected.norm(), 1e-12) << size;
+        for (Eigen::Index c = 0; c < 12; c += 4)
+            EXPECT_LT((all.middleCols(c, 4) - solved(problem, right.middleCols(c, 4))).norm(), 1e-12) << size;
+    }
 }
 
 // Rounding may leave nothing of a pivot that is zero in theory.
