@@ -5,12 +5,12 @@
 #include "model/geometry/trianglelogs.h"
 #include "model/transfer/bodyalignment.h"
 #include "model/transfer/bodyplaces.h"
+#include "model/transfer/farthesttriangles.h"
 #include "model/transfer/solidtarget.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace quadrille {
@@ -24,9 +24,6 @@ constexpr double bendShare = 0.2;
 /// of means over neighbours, so many at most.
 constexpr double eveningShare = 0.04;
 constexpr int mostRounds = 20;
-
-/// A matrix with a row of numbers for each triangle of a mesh.
-using TriangleRows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// What even means over a surface are made of.
 struct Evening
@@ -117,24 +114,6 @@ TriangleRows waysAndTurns(const PosedMesh& reference, std::span<const std::vecto
     return rows;
 }
 
-/// Triangles that lie far from each other.
-std::vector<TriangleIndex> spreadOver(const TriangleRows& rows, const BodyPlaces& places, std::size_t count)
-{
-    Eigen::VectorXf distances(rows.rows());
-    for (Eigen::Index t = 0; t < rows.rows(); ++t)
-        distances[t] =
-            places.knows(TriangleIndex(static_cast<std::size_t>(t))) ? std::numeric_limits<float>::max() : -1;
-    std::vector<TriangleIndex> chosen;
-    while (chosen.size() < count) {
-        Eigen::Index next = 0;
-        if (distances.maxCoeff(&next) <= 0)
-            break;
-        chosen.emplace_back(static_cast<std::size_t>(next));
-        distances = distances.cwiseMin((rows.rowwise() - rows.row(next)).rowwise().squaredNorm());
-    }
-    return chosen;
-}
-
 } // namespace
 
 std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMesh& target, UpAxis up,
@@ -146,7 +125,11 @@ std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMe
     const BodyAlignment alignment(reference, from, target, onto, up, progress.part(0.6, 0.8));
     std::vector<ProposedPair> pairs;
     std::set<TriangleIndex> taken;
-    for (const TriangleIndex triangle : spreadOver(waysAndTurns(reference, performed), from, count)) {
+    std::vector<bool> isKnown(from.size());
+    for (std::size_t t = 0; t < from.size(); ++t)
+        isKnown[t] = from.knows(TriangleIndex(t));
+    for (const TriangleIndex triangle :
+         farthestTriangles(waysAndTurns(reference, performed), isKnown, {}, count)) {
         const std::optional<TriangleIndex> best = alignment.onTarget(triangle);
         progress.report(0.8 + 0.2 * static_cast<double>(pairs.size()) / static_cast<double>(count));
         if (!best || !taken.insert(*best).second)

@@ -4,14 +4,15 @@
 
 #include "model/geometry/procrustes.h"
 #include "model/geometry/surfacedistances.h"
+#include "model/transfer/farthesttriangles.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <queue>
+#include <utility>
 
 namespace quadrille {
 
@@ -67,24 +68,14 @@ void PliableSurface::choosePlaces(const PosedSurface& surface)
 {
     const PosedMesh& mesh = surface.mesh();
     const std::vector<Triangle>& triangles = mesh.topology->triangles();
-    Eigen::Matrix3Xf middles(3, static_cast<Eigen::Index>(triangles.size()));
-    Eigen::VectorXf distances(middles.cols());
+    TriangleRows middles(triangles.size(), 3);
+    std::vector<bool> hasArea(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const auto column = static_cast<Eigen::Index>(t);
-        middles.col(column) = middleOf(triangles[t], mesh.positions).cast<float>();
-        distances[column] = surface.onGraph(TriangleIndex(t)) ? std::numeric_limits<float>::max() : -1;
+        middles.row(static_cast<Eigen::Index>(t)) =
+            middleOf(triangles[t], mesh.positions).cast<float>().transpose();
+        hasArea[t] = surface.onGraph(TriangleIndex(t)).has_value();
     }
-    const auto take = [&](Eigen::Index t) {
-        distances =
-            distances.cwiseMin((middles.colwise() - middles.col(t)).colwise().squaredNorm().transpose());
-    };
-    for (const TriangleIndex t : m_triangles)
-        take(static_cast<Eigen::Index>(t.value));
-    Eigen::Index next = 0;
-    while (m_triangles.size() < fewestPlaces && distances.maxCoeff(&next) > 0) {
-        m_triangles.emplace_back(static_cast<std::size_t>(next));
-        take(next);
-    }
+    m_triangles = farthestTriangles(middles, hasArea, std::move(m_triangles), fewestPlaces);
 }
 
 void PliableSurface::findNear(const PosedSurface& surface)
