@@ -215,10 +215,12 @@ BodyAlignment::BodyAlignment(const PosedMesh& reference, const BodyPlaces& onRef
     const std::vector<std::optional<std::size_t>> nearestPlaces = laid.nearestPlaces(surface);
     m_ofTemplate.setConstant(BodyFeatures::RowsAtCompileTime, static_cast<Eigen::Index>(triangles.size()),
                              unknown);
+    m_turns.assign(triangles.size(), Eigen::Matrix3f::Identity());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         if (!nearestPlaces[t] || !onReference.knows(TriangleIndex(t)))
             continue;
         const std::size_t place = *nearestPlaces[t];
+        m_turns[t] = laid.turn(place).cast<float>();
         comparison.fill(m_ofTemplate, t, onReference.values(TriangleIndex(t)),
                         laid.moved(place, middleOf(triangles[t], reference.positions)),
                         laid.turn(place) * normalOf(triangles[t], reference.positions));

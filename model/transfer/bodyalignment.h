@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace quadrille {
 
@@ -34,10 +35,15 @@ public:
     /// not a number where it is not known where one of them is.
     double likeness(const TrianglePair& pair) const;
 
+    /// How what is about a triangle of the template turned when it was laid onto the target; not at all where
+    /// its place is not known.
+    const Eigen::Matrix3f& turn(TriangleIndex ofTemplate) const { return m_turns[ofTemplate.value]; }
+
 private:
     // As much as each is worth; far from all others where a place is not known.
     BodyFeatures m_ofTemplate; ///< laid onto the target
     BodyFeatures m_ofTarget;
+    std::vector<Eigen::Matrix3f> m_turns;
 };
 
 } // namespace quadrille

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/transfer/pairproposal.h"
 
+#include "model/geometry/procrustes.h"
 #include "model/geometry/trianglelogs.h"
 #include "model/transfer/bodyalignment.h"
 #include "model/transfer/bodyplaces.h"
@@ -11,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace quadrille {
@@ -114,6 +116,40 @@ TriangleRows waysAndTurns(const PosedMesh& reference, std::span<const std::vecto
     return rows;
 }
 
+/// What is no part of the head, though that is nearest to it: a ponytail. A head is rigid;
+/// what hangs from it is laid onto a body without the like by a turn of its own.
+class Hair
+{
+public:
+    Hair(const BodyPlaces& places, const BodyAlignment& alignment)
+        : m_places(&places), m_alignment(&alignment)
+    {
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        for (std::size_t t = 0; t < places.size(); ++t) {
+            if (isOnHead(TriangleIndex(t)))
+                sum += alignment.turn(TriangleIndex(t)).cast<double>();
+        }
+        m_head = rotationOfCovariance(sum);
+    }
+
+    bool has(TriangleIndex ofTemplate) const
+    {
+        constexpr double most = 25 * std::numbers::pi / 180;
+        const Eigen::Quaterniond turn(m_alignment->turn(ofTemplate).cast<double>());
+        return isOnHead(ofTemplate) && turn.angularDistance(m_head) > most;
+    }
+
+private:
+    bool isOnHead(TriangleIndex t) const
+    {
+        return m_places->knows(t) && m_places->regionOf(t) == BodyRegion::Head;
+    }
+
+    const BodyPlaces* m_places;
+    const BodyAlignment* m_alignment;
+    Eigen::Quaterniond m_head;
+};
+
 } // namespace
 
 std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMesh& target, UpAxis up,
@@ -125,11 +161,12 @@ std::vector<ProposedPair> proposePairs(const PosedMesh& reference, const PosedMe
     const BodyAlignment alignment(reference, from, target, onto, up, progress.part(0.6, 0.8));
     std::vector<ProposedPair> pairs;
     std::set<TriangleIndex> taken;
-    std::vector<bool> isKnown(from.size());
+    const Hair hair(from, alignment);
+    std::vector<bool> isUsable(from.size());
     for (std::size_t t = 0; t < from.size(); ++t)
-        isKnown[t] = from.knows(TriangleIndex(t));
+        isUsable[t] = from.knows(TriangleIndex(t)) && !hair.has(TriangleIndex(t));
     for (const TriangleIndex triangle :
-         farthestTriangles(waysAndTurns(reference, performed), isKnown, {}, count)) {
+         farthestTriangles(waysAndTurns(reference, performed), isUsable, {}, count)) {
         const std::optional<TriangleIndex> best = alignment.onTarget(triangle);
         progress.report(0.8 + 0.2 * static_cast<double>(pairs.size()) / static_cast<double>(count));
         if (!best || !taken.insert(*best).second)

@@ -5,6 +5,7 @@
 #include "model/transfer/bodyalignment.h"
 #include "model/transfer/bodyplaces.h"
 #include "model/transfer/pairproposal.h"
+#include "model/transfer/posecorrection.h"
 #include "tests/model/codeof.h"
 #include "tests/model/transfer/transferfixture.h"
 
@@ -143,6 +144,32 @@ TEST_F(PairProposal, HeadsAreFoundAboveHair)
         ++count;
     }
     EXPECT_GE(count, 3);
+}
+
+/// A ponytail has no like on a body with short hair: laid onto the back of its head it would dent that.
+TEST_F(PairProposal, WhatHangsFromAHeadDoesNotTurnIt)
+{
+    const auto folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_f01";
+    ImportOptions options;
+    options.mesh = folder / "mesh.obj";
+    const MeshSequence take = openSequences(folder / "walk_1.pc2", options).sequences.front();
+    const Frame frame = take.frame(FrameIndex(5));
+    const PosedMesh woman{take.topology, {frame.positions().begin(), frame.positions().end()}};
+    std::vector<TrianglePair> pairs;
+    for (const ProposedPair& proposed : proposePairs(woman, m_average, UpAxis::Y))
+        pairs.push_back(proposed.pair);
+    const double turn = turnOntoTemplate(woman, m_average, pairs, UpAxis::Y);
+    const std::vector<Eigen::Quaterniond> corrections = poseCorrections(
+        PosedSurface(woman), {m_average.topology, turned(m_average.positions, turn, UpAxis::Y)}, pairs);
+    const BodyPlaces places(woman, UpAxis::Y, ErrorCode::TransferNoLimbsOfTemplate);
+    int count = 0;
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        if (places.regionOf(pairs[p].onTemplate) != BodyRegion::Head)
+            continue;
+        EXPECT_LT(corrections[p].angularDistance(Eigen::Quaterniond::Identity()), 45 * degree);
+        ++count;
+    }
+    EXPECT_GE(count, 5);
 }
 
 TEST_F(PairProposal, LeftStaysLeft)
