@@ -21,10 +21,10 @@ std::vector<TriangleIndex> indices(std::initializer_list<std::size_t> values)
 TEST(FarthestTriangles, EachIsTheFarthestFromThoseBefore)
 {
     TriangleRows rows(6, 1);
-    rows << 0, 1, 2, 3, 6, 10;
+    rows << 0, 1, 2, 3.5F, 9, 10;
     const std::vector<bool> all(6, true);
-    EXPECT_EQ(farthestTriangles(rows, all, {TriangleIndex(0U)}, 4), indices({0, 5, 4, 3}));
-    EXPECT_EQ(farthestTriangles(rows, all, {TriangleIndex(3U), TriangleIndex(4U)}, 4), indices({3, 4, 5, 0}));
+    EXPECT_EQ(farthestTriangles(rows, all, {TriangleIndex(0U)}, 4), indices({0, 5, 3, 2}));
+    EXPECT_EQ(farthestTriangles(rows, all, {TriangleIndex(3U), TriangleIndex(4U)}, 4), indices({3, 4, 0, 2}));
 }
 
 TEST(FarthestTriangles, LeavesOutWhatIsNotUsableOrTheSame)
