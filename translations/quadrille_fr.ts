@@ -6130,6 +6130,19 @@
         <source>Its windows</source>
         <translation>Ses fenêtres</translation>
     </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>How many triangles poses are compared by, spread evenly over the surface; fewer take less time and are less exact</source>
+        <translation>Par combien de triangles les poses sont comparées, répartis également sur la surface ; moins prend moins de temps et est moins exact</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <comment>triangles</comment>
+        <translation>tous</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::GraphStatePage</name>

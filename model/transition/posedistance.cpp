@@ -5,6 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/geometry/procrustes.h"
+#include "model/geometry/spreadtriangles.h"
 #include "model/transition/posedistancetile.h"
 
 #include <Eigen/LU>
@@ -27,6 +28,9 @@ void requireValid(const PoseDistanceSettings& settings)
         throw Error(ErrorCode::BadArgument,
                     {.values = {{"reason", "The weight of stretch must not be negative"},
                                 {"remedy", "The paper's weight is 0.01."}}});
+    if (settings.triangles.value_or(1) < 1)
+        throw Error(ErrorCode::BadArgument, {.values = {{"reason", "At least one triangle must be compared"},
+                                                        {"remedy", "Leave the number out to compare all."}}});
 }
 
 /// All pairs of frames are compared, and several tables of them are in memory at once.
@@ -48,7 +52,8 @@ PoseDistanceInputs survey(const CharacterFrames& character, std::span<const Pose
                           const Progress& progress)
 {
     PoseDistanceInputs inputs{.character = character,
-                              .metrics = {metrics.begin(), metrics.end()},
+                              .metrics = {},
+                              .ofCovariance = {},
                               .centres =
                                   std::vector<Vec3d>(static_cast<std::size_t>(character.frameCount()))};
     const std::span<const Triangle> triangles = character.triangles();
@@ -69,8 +74,15 @@ PoseDistanceInputs survey(const CharacterFrames& character, std::span<const Pose
                          [t](const Marks& marks) { return marks[t] != 0; }))
             used.push_back(triangles[t]);
     }
-    inputs.corners = cornerSlices(used);
-    inputs.triangleCount = static_cast<std::int64_t>(used.size());
+    for (const PoseDistanceSettings& metric : metrics) {
+        const bool isSpread = metric.triangles && !used.empty();
+        const std::vector<Triangle> compared =
+            isSpread ? spreadTriangles(used, character.frame(0).positions(),
+                                       static_cast<std::size_t>(*metric.triangles))
+                     : used;
+        inputs.metrics.push_back(
+            {metric, cornerSlices(compared), static_cast<std::int64_t>(compared.size())});
+    }
     return inputs;
 }
 
@@ -138,9 +150,10 @@ PoseDistanceInputs checkedInputs(const CharacterFrames& character,
 {
     std::ranges::for_each(metrics, requireValid);
     PoseDistanceInputs inputs = survey(character, metrics, progress);
-    const bool isSurface =
-        std::ranges::find(metrics, PoseMetric::Surface, &PoseDistanceSettings::metric) != metrics.end();
-    if (isSurface && inputs.triangleCount == 0 && character.frameCount() > 0)
+    const bool isWithout = std::ranges::any_of(inputs.metrics, [](const MetricInputs& metric) {
+        return metric.settings.metric == PoseMetric::Surface && metric.triangleCount == 0;
+    });
+    if (isWithout && character.frameCount() > 0)
         throw Error(ErrorCode::NoUsableTriangles);
     return inputs;
 }
@@ -171,12 +184,14 @@ PosePairs posePairs(const CharacterFrames& character, std::span<const PoseDistan
     const NodeIndex frameCount = character.frameCount();
     PoseDistanceInputs inputs = checkedInputs(character, metrics, progress.part(0, 0.02));
     inputs.ofCovariance = ofCovariance;
-    const PoseDistances empty{.layout = character.layout(),
-                              .distances = {},
-                              .trianglesUsed = inputs.triangleCount,
-                              .trianglesLeftOut = static_cast<std::int64_t>(character.triangles().size()) -
-                                                  inputs.triangleCount};
-    PosePairs pairs{.distances = std::vector(metrics.size(), empty)};
+    PosePairs pairs;
+    for (const MetricInputs& metric : inputs.metrics)
+        pairs.distances.push_back(
+            {.layout = character.layout(),
+             .distances = {},
+             .trianglesUsed = metric.triangleCount,
+             .trianglesLeftOut =
+                 static_cast<std::int64_t>(character.triangles().size()) - metric.triangleCount});
     std::vector<Table<float>*> tables;
     for (PoseDistances& distances : pairs.distances)
         tables.push_back(&distances.distances);

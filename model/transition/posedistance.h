@@ -21,7 +21,8 @@ struct PoseDistances
     /// frames × frames, radians (surface) or metres (Euclidean); exactly symmetric, zeros on the diagonal.
     Table<float> distances;
     std::int64_t trianglesUsed = 0;
-    /// Triangles whose area is below 1e-12 of the squared bounding diagonal in some frame.
+    /// Triangles whose area is below 1e-12 of the squared bounding diagonal in some frame, and those beyond
+    /// the number that is to be compared.
     std::int64_t trianglesLeftOut = 0;
 };
 
@@ -48,9 +49,9 @@ PosePairs posePairs(const CharacterFrames& character, std::span<const PoseDistan
 
 /// Distances of all pairs of frames. Memory beside the table and the frames in the media cache does not grow
 /// with the number of frames: at most about 80 MB a core.
-/// \throws Error BadArgument (weight negative or not finite), NoUsableTriangles (surface metric), what
-/// reading frames throws, Cancelled. Cost: O(frames² · (triangles + vertices)). Source: SMCAS section 3.1;
-/// section 1 of the specification of algorithms.
+/// \throws Error BadArgument (weight negative or not finite, no triangles to compare), NoUsableTriangles
+/// (surface metric), what reading frames throws, Cancelled. Cost: O(frames² · (triangles + vertices)).
+/// Source: SMCAS section 3.1; section 1 of the specification of algorithms.
 PoseDistances poseDistances(const CharacterFrames& character, const PoseDistanceSettings& settings = {},
                             const Progress& progress = {}, const Executor& executor = localExecutor());
 

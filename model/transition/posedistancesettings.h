@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 namespace quadrille {
 
 /// How the distance of two poses is measured, rigid motion removed.
@@ -16,6 +19,9 @@ struct PoseDistanceSettings
     PoseMetric metric = PoseMetric::Surface;
     /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
     double stretchWeight = 0.01;
+    /// How many triangles are compared, spread evenly over the surface, at least 1; all where it is empty.
+    /// Surface metric only.
+    std::optional<std::int64_t> triangles;
 
     bool operator==(const PoseDistanceSettings&) const = default;
 };

@@ -108,20 +108,19 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
 }
 
 /// \param distances  out: of the pairs of a tile, by one metric.
-void setDistances(const PoseDistanceInputs& inputs, const PoseDistanceSettings& settings,
-                  const FrameRun& rows, const FrameRun& columns, const PairTile& tile,
-                  const std::vector<RotationF>& rotations, const Progress& progress,
-                  std::span<float> distances)
+void setDistances(const PoseDistanceInputs& inputs, const MetricInputs& metric, const FrameRun& rows,
+                  const FrameRun& columns, const PairTile& tile, const std::vector<RotationF>& rotations,
+                  const Progress& progress, std::span<float> distances)
 {
     std::vector<double> sums;
     std::size_t count = 0;
-    if (settings.metric == PoseMetric::Surface) {
-        count = static_cast<std::size_t>(inputs.triangleCount);
-        const auto weight = static_cast<float>(settings.stretchWeight);
+    if (metric.settings.metric == PoseMetric::Surface) {
+        count = static_cast<std::size_t>(metric.triangleCount);
+        const auto weight = static_cast<float>(metric.settings.stretchWeight);
         sums = sumSlices<TriangleSlice>(
-            rows, columns, tile, rotations, inputs.corners.size(), progress,
+            rows, columns, tile, rotations, metric.corners.size(), progress,
             [&](const CentredPose& pose, std::size_t slice, TriangleSlice& out) {
-                fillTriangleSlice(pose.positions, inputs.corners[slice], out);
+                fillTriangleSlice(pose.positions, metric.corners[slice], out);
             },
             [&](const TriangleSlice& row, const TriangleSlice* others, const RotationF* turns, std::size_t n,
                 double* out) { addSurfaceDistances(row, others, turns, n, weight, out); });

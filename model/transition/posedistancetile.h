@@ -12,15 +12,21 @@
 
 namespace quadrille {
 
+/// What one metric compares.
+struct MetricInputs
+{
+    PoseDistanceSettings settings;
+    std::vector<CornerSlice> corners; ///< of the triangles to use
+    std::int64_t triangleCount = 0;   ///< in `corners`
+};
+
 /// What all tiles of a table of distances have in common.
 struct PoseDistanceInputs
 {
     CharacterFrames character;
-    std::vector<PoseDistanceSettings> metrics;
-    OfCovariance ofCovariance;        ///< may be empty
-    std::vector<Vec3d> centres;       ///< of every frame, the mean of its vertices
-    std::vector<CornerSlice> corners; ///< of the triangles to use
-    std::int64_t triangleCount = 0;   ///< in `corners`
+    std::vector<MetricInputs> metrics;
+    OfCovariance ofCovariance;  ///< may be empty
+    std::vector<Vec3d> centres; ///< of every frame, the mean of its vertices
 
     std::size_t tables() const { return metrics.size() + (ofCovariance ? 1 : 0); }
 };

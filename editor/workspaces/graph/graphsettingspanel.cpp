@@ -68,6 +68,19 @@ void GraphSettingsPanel::addDistances()
                         [](const GraphEntry& entry) { return entry.pose.metric == PoseMetric::Surface; }},
                        at(&GraphEntry::pose, &PoseDistanceSettings::stretchWeight),
                        {.path = "graph.stretch_weight", .step = 0.01, .decimals = 3});
+    m_fields.addNumber({"graphTriangles", [] { return tr("Triangles"); },
+                        [] {
+                            return tr("How many triangles poses are compared by, spread evenly over the "
+                                      "surface; fewer take less time and are less exact");
+                        },
+                        [](const GraphEntry& entry) { return entry.pose.metric == PoseMetric::Surface; }},
+                       at(&GraphEntry::pose, &PoseDistanceSettings::triangles),
+                       {.path = "graph.triangles",
+                        .step = 500,
+                        .decimals = 0,
+                        .automatic = [] { return tr("all", "triangles"); },
+                        .highest = 1e7,
+                        .first = 2000});
     m_greatest = m_fields.addNumber(
         {"graphGreatest", [] { return tr("Largest distance"); },
          [] { return tr("What costs are divided by; automatic is the largest distance of two poses"); }},

@@ -3,11 +3,13 @@
 #include "model/evaluation/trajectories.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/steps/posesteps.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/transition/posedistance.h"
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace quadrille {
 
@@ -118,12 +120,11 @@ BuildStep trajectoryStep(const CharacterInputs& work, const EvaluationEntry& eva
     settings.length = TransitionLength::Path;
     BuildStep step = evaluationStep(work, evaluation);
     step.version = 2;
-    step.settings = work.settings +
-                    nlohmann::json({evaluation.sequences, work.sequences, settings.longest(), settings.slope,
-                                    settings.cost == TransitionCost::Sum ? "sum" : "mean",
-                                    work.graph.pose.metric == PoseMetric::Surface ? "surface" : "euclidean",
-                                    work.graph.pose.stretchWeight})
-                        .dump();
+    nlohmann::json text{evaluation.sequences, work.sequences, settings.longest(), settings.slope,
+                        settings.cost == TransitionCost::Sum ? "sum" : "mean"};
+    for (nlohmann::json& value : distanceText(work.graph.pose))
+        text.push_back(std::move(value));
+    step.settings = work.settings + text.dump();
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.compute = [=](const StepContext&, const Progress& progress) {
         const BlendedSequences blended = blendedSequences(work, evaluation, progress.part(0, 0.4));

@@ -27,7 +27,8 @@ void addLayout(Result& result, const PoseDistances& distances)
     result.arrays.back().description = "Frames of each sequence, in the order of the project.";
     result.arrays.push_back(
         columnOf("triangles", "", std::vector{distances.trianglesUsed, distances.trianglesLeftOut}));
-    result.arrays.back().description = "Triangles used, and those left out because they have no area.";
+    result.arrays.back().description =
+        "Triangles compared, and those left out because they have no area or are beyond their number.";
 }
 
 bool isSurface(const PoseDistanceSettings& settings)
@@ -83,8 +84,7 @@ BuildStep distanceStep(const CharacterInputs& work, const std::string& name,
 {
     BuildStep step = poseStep(work, name);
     step.version = 2;
-    step.settings +=
-        nlohmann::json({isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight}).dump();
+    step.settings += distanceText(settings).dump();
     if (step.inputs.empty()) // else frames are not known before
         step.bytes = bytesOfTables(work, 1);
     step.compute = [=](const StepContext&, const Progress& progress) {
@@ -138,6 +138,14 @@ std::vector<BuildStep> poseSteps(const CharacterInputs& work)
     };
     return {std::move(distances), distanceStep(work, graphstep::euclideanDistance, euclidean),
             rootPosesStep(work)};
+}
+
+nlohmann::json distanceText(const PoseDistanceSettings& settings)
+{
+    nlohmann::json text{isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight};
+    if (isSurface(settings) && settings.triangles)
+        text.push_back(*settings.triangles);
+    return text;
 }
 
 std::function<std::uint64_t(const Progress&)> bytesOfTables(const CharacterInputs& work, double tables)

@@ -154,6 +154,7 @@ inline Project fullProject()
     graph.alpha = 0.05;
     graph.smoothing = CostSmoothing::Mean5;
     graph.greatestDistance = 0.75;
+    graph.pose.triangles = 1500;
     project.graphs = {graph};
     project.bodyParts = {fullBodyParts()};
     project.animations = {fullAnimation()};

@@ -175,6 +175,7 @@ TEST(Validate, GraphsAreChecked)
     EXPECT_THAT(problemOf([](GraphEntry& g) { g.greatestDistance = 0; }), HasSubstr("/graph/d_max"));
     EXPECT_THAT(problemOf([](GraphEntry& g) { g.pose.stretchWeight = -1; }),
                 HasSubstr("/graph/stretch_weight"));
+    EXPECT_THAT(problemOf([](GraphEntry& g) { g.pose.triangles = 0; }), HasSubstr("/graph/triangles"));
     EXPECT_THAT(problemOf([](GraphEntry& g) { g.character = "b"; }), HasSubstr("no character “b”"));
     Project project = fullProject();
     project.graphs.push_back(project.graphs[0]);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/geometry/spreadtriangles.h"
 #include "model/project/document/findentry.h"
 #include "tests/model/transition/posedistancetest.h"
 #include "tests/model/transition/swayingtube.h"
@@ -90,6 +91,32 @@ TEST(PoseDistances, AreTheSameInOnePassWithOthers)
         EXPECT_NEAR(all.ofCovariances(i, j), expected, 1e-5 * std::abs(expected));
         EXPECT_EQ(all.ofCovariances(i, j), all.ofCovariances(j, i));
     }
+}
+
+TEST(PoseDistances, AreMeansOverSomeTrianglesWhereSoManyAreCompared)
+{
+    const MeshSequence tube = swayingTube(tubeTopology(12, 60), 12, 40, 0.1);
+    const CharacterFrames frames = characterOf(tube);
+    const auto all = static_cast<std::int64_t>(frames.triangles().size());
+    const std::vector<PoseDistanceSettings> metrics{
+        {}, {.triangles = 300}, {.triangles = all}, {.metric = PoseMetric::Euclidean, .triangles = 300}};
+    const PosePairs pairs = posePairs(frames, metrics);
+    const PoseDistances& whole = pairs.distances[0];
+    const PoseDistances& some = pairs.distances[1];
+    EXPECT_EQ(some.trianglesUsed, 300);
+    EXPECT_EQ(some.trianglesLeftOut, all - 300);
+    const auto compared = spreadTriangles(frames.triangles(), frames.frame(0).positions(), 300);
+    const auto pose = [&](NodeIndex node) { return frames.frame(node); };
+    for (const auto& [i, j] : {std::pair<NodeIndex, NodeIndex>{0, 1}, {3, 39}, {17, 20}})
+        EXPECT_NEAR(some.distances(i, j), surfaceDistance(pose(i).positions(), pose(j).positions(), compared),
+                    1e-5);
+    // A fifth of the triangles says nearly the same.
+    EXPECT_LT((some.distances - whole.distances).abs().maxCoeff(), 0.02F * whole.distances.maxCoeff());
+    EXPECT_FALSE((some.distances == whole.distances).all());
+    EXPECT_TRUE((pairs.distances[2].distances == whole.distances).all());
+    EXPECT_TRUE(
+        (pairs.distances[3].distances == poseDistances(frames, {.metric = PoseMetric::Euclidean}).distances)
+            .all());
 }
 
 TEST(PoseDistances, SeldomReadsFramesAgainThatTheCacheDoesNotHold)
@@ -195,6 +222,7 @@ TEST(PoseDistances, RefusesBadInput)
     for (const double weight :
          {-0.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         EXPECT_EQ(codeOf([&] { poseDistances(frames, {.stretchWeight = weight}); }), ErrorCode::BadArgument);
+    EXPECT_EQ(codeOf([&] { poseDistances(frames, {.triangles = 0}); }), ErrorCode::BadArgument);
     MeshSequence empty = sequenceOf(tetrahedron(), {corners});
     empty.range = {};
     EXPECT_EQ(codeOf([&] { characterOf(empty); }), ErrorCode::BadArgument);
