@@ -2,36 +2,35 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QWidget>
-#include <array>
+#include "editor/fields/fieldform.h"
+#include "model/project/document/variationentry.h"
 
-class QComboBox;
-class QFormLayout;
-class QLabel;
+#include <QLabel>
 
 namespace quadrille {
 
 class PartCurveTool;
 
 /// What the selected part hangs on and which curves bound it, or the facts of the selected curve.
-class PartForm : public QWidget
+class PartForm : public LabelForm
 {
     Q_OBJECT
 
 public:
     explicit PartForm(PartCurveTool& tool, QWidget* parent = nullptr);
 
+protected:
+    void retranslate() override;
+
 private:
-    void retranslate();
+    void addParent();
+    void addCurve(std::size_t which, FieldRows<PartEntry, LabelForm>::Row row);
     void refresh();
-    void setParentPart(const QString& name);
-    void setCurve(int which, const QString& name);
+    void showCurve(const PartCurveEntry* curve);
 
     PartCurveTool& m_tool;
-    QFormLayout* m_form;
     QLabel* m_title;
-    QComboBox* m_parent;
-    std::array<QComboBox*, 2> m_curves;
+    FieldForm<PartEntry, LabelForm> m_fields;
     QLabel* m_points;
     QLabel* m_length;
 };
