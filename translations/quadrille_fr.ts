@@ -401,6 +401,42 @@
         <source>How far distances that are interpolated between takes are from true ones (IA4D Table 3)</source>
         <translation>À quel point les distances interpolées entre prises s’écartent des vraies (IA4D, table 3)</translation>
     </message>
+    <message>
+        <source>Distance from non-linear blends</source>
+        <translation>Écart aux mélanges non linéaires</translation>
+    </message>
+    <message>
+        <source>References</source>
+        <translation>Références</translation>
+    </message>
+    <message>
+        <source>Memory of the references</source>
+        <translation>Mémoire des références</translation>
+    </message>
+    <message>
+        <source>Greatest distance from non-linear blends</source>
+        <translation>Plus grand écart aux mélanges non linéaires</translation>
+    </message>
+    <message>
+        <source>Weight of the second take</source>
+        <translation>Poids de la seconde prise</translation>
+    </message>
+    <message>
+        <source>Latency of transitions</source>
+        <translation>Latence des transitions</translation>
+    </message>
+    <message>
+        <source>Dissimilarity of poses, 0 to 1000</source>
+        <translation>Dissemblance des poses, de 0 à 1000</translation>
+    </message>
+    <message>
+        <source>Error of interpolated distances, share of their range</source>
+        <translation>Erreur des distances interpolées, part de leur étendue</translation>
+    </message>
+    <message>
+        <source>Halvings</source>
+        <translation>Divisions en deux</translation>
+    </message>
 </context>
 <context>
     <name>EvaluationWord</name>
@@ -1471,6 +1507,78 @@
     <message>
         <source>single triangles</source>
         <translation>des triangles seuls</translation>
+    </message>
+    <message>
+        <source>motion space</source>
+        <translation>espace de mouvement</translation>
+    </message>
+    <message>
+        <source>references</source>
+        <translation>références</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>arête</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>mémoire</translation>
+    </message>
+    <message>
+        <source>greatest error, share of the size</source>
+        <translation>plus grande erreur, part de la taille</translation>
+    </message>
+    <message>
+        <source>dissimilarity</source>
+        <translation>dissemblance</translation>
+    </message>
+    <message>
+        <source>mean latency</source>
+        <translation>latence moyenne</translation>
+    </message>
+    <message>
+        <source>median latency</source>
+        <translation>latence médiane</translation>
+    </message>
+    <message>
+        <source>latency, 95th percentile</source>
+        <translation>latence, 95e centile</translation>
+    </message>
+    <message>
+        <source>worst latency</source>
+        <translation>pire latence</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>manquées</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>cible</translation>
+    </message>
+    <message>
+        <source>halvings</source>
+        <translation>divisions en deux</translation>
+    </message>
+    <message>
+        <source>found while playing</source>
+        <translation>trouvée en jouant</translation>
+    </message>
+    <message>
+        <source>responsive</source>
+        <translation>réactive</translation>
+    </message>
+    <message>
+        <source>1 computed before</source>
+        <translation>1 calculée d’avance</translation>
+    </message>
+    <message>
+        <source>5 computed before</source>
+        <translation>5 calculées d’avance</translation>
+    </message>
+    <message>
+        <source>10 computed before</source>
+        <translation>10 calculées d’avance</translation>
     </message>
 </context>
 <context>

@@ -234,6 +234,28 @@ private slots:
         QCOMPARE(lines.series[2].points.back(), QPointF(9, 0.9));
     }
 
+    /// As the step of IA4D's table makes it.
+    void transitionsOfSpacesAreBarsWithTheirWords()
+    {
+        TableBuilder table("ia4d-table2", {});
+        table.text("source").text("target").text("kind").real("cost").real("dissimilarity");
+        table.real("mean-latency", "s").real("median-latency", "s").real("latency-95", "s");
+        table.real("worst-latency", "s").whole("missed");
+        table.add({"walking", "jumping", "online", 3.0, 163.0, 0.4, 0.3, 0.8, 1.1, std::int64_t{0}});
+        table.add(
+            {"walking", "jumping", "10 computed before", 9.0, 31.0, 1.1, 1.0, 1.7, 2.0, std::int64_t{4}});
+        DataItem item;
+        item.name = "evaluation/ia4d-table2";
+        item.content = std::move(table).table();
+        const std::vector<EvaluationChart> charts = chartsOf("ia4d-table2", {item}, UpAxis::Y);
+        QCOMPARE(charts.size(), 2U);
+        const auto& latency = std::get<EvaluationChart::Bars>(charts[0].content);
+        QCOMPARE(latency.categories, (QStringList{"walking · jumping · found while playing",
+                                                  "walking · jumping · 10 computed before"}));
+        QCOMPARE(latency.series.size(), 3U);
+        QCOMPARE(latency.series[2].name, QStringLiteral("latency, 95th percentile"));
+    }
+
     void computingIsStopped()
     {
         add("junctions");
