@@ -5617,6 +5617,10 @@
         <source>%1 · motion spaces, transitions and the recording, to be steered in games</source>
         <translation>%1 · espaces de mouvement, transitions et enregistrement, à diriger dans des jeux</translation>
     </message>
+    <message>
+        <source>Put the pictures into the file</source>
+        <translation>Mettre les images dans le fichier</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ExportFlow</name>

@@ -70,6 +70,8 @@ void ExportDialog::showFacts()
     m_picture->setTransparencyPossible(m_plan.format().id == "png");
     m_axes->setEnabled(!isPicture && !m_plan.isPlayer());
     m_textures->setEnabled(!isPicture && !m_plan.format().needsMesh);
+    m_textures->setText(m_plan.isPlayer() ? tr("Put the pictures into the file")
+                                          : tr("Write the pictures beside"));
     const auto frames = framesWritten();
     QString text = m_plan.filesText(m_plan.entries().front(), frames.value_or(1));
     if (m_plan.clips.size() > 1)
@@ -132,7 +134,6 @@ void ExportDialog::retranslate()
     m_choosePlace->setAccessibleName(tr("Choose the file"));
     m_fps->setSuffix(tr(" fps"));
     m_fps->setToolTip(tr("Another rate than the project's is resampled"));
-    m_textures->setText(tr("Write the pictures beside"));
     m_keep->setText(tr("Keep in the project, so that a rebuild repeats it"));
     m_progress->setAccessibleName(tr("How far the export is"));
     m_cancel->setText(m_isDone ? tr("Close") : tr("Cancel"));
