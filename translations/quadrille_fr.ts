@@ -6583,6 +6583,10 @@
         <source>&amp;Only this take</source>
         <translation>&amp;Seulement cette prise</translation>
     </message>
+    <message>
+        <source>The graph is being opened…</source>
+        <translation>Le graphe s’ouvre…</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::HelpFlow</name>

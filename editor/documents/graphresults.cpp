@@ -111,16 +111,25 @@ GraphResults::Source GraphResults::sourceOf(const QString& character) const
 void GraphResults::open(const QString& character, Item& item)
 {
     item.phase = ResultPhase::Computing;
+    item.overview.reset();
     const auto opening = item.isWanted ? GraphOpening::Compute : GraphOpening::IfFresh;
     start(
         character, item,
         {.text = character.isEmpty() ? tr("Graph") : tr("Graph of “%1”").arg(character),
          .background = !item.isWanted},
-        [working = document().working(), character, opening](const Progress& progress, const Post& /*post*/) {
-            return openCharacter(working, character.toStdString(), opening, progress);
+        [working = document().working(), character, opening](const Progress& progress, const Post& post) {
+            return openCharacter(working, character.toStdString(), opening, progress,
+                                 [&post](std::shared_ptr<const CostOverview> overview) {
+                                     post([overview](const QString&, ResultState& state) {
+                                         // It may come after the end of the work.
+                                         if (state.phase == ResultPhase::Computing)
+                                             static_cast<Item&>(state).overview = overview;
+                                     });
+                                 });
         },
         [this](const QString& name, std::shared_ptr<const OpenedCharacter> opened) {
             Item& done = *find<Item>(name);
+            done.overview.reset();
             done.phase = opened == nullptr ? ResultPhase::Idle : ResultPhase::Ready;
             if (opened == nullptr)
                 return;

@@ -6,6 +6,7 @@
 
 namespace quadrille {
 
+struct CostOverview;
 struct OpenedCharacter;
 
 /// The graphs of a document's characters: opened where the results are there, computed when somebody asks.
@@ -20,6 +21,8 @@ public:
     {
         /// The last one that was opened, when ready that of the project as it is; may be null.
         std::shared_ptr<const OpenedCharacter> opened;
+        /// What is known of its costs while it is opened for the first time; null before and after.
+        std::shared_ptr<const CostOverview> overview;
     };
 
     GraphResults(ProjectDocument& document, JobRunner& jobs, QObject* parent = nullptr);

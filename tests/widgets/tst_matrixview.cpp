@@ -44,6 +44,7 @@ private slots:
     void init();
     void everyLevelShowsTheCheapestCellThatPasses_data();
     void everyLevelShowsTheCheapestCellThatPasses();
+    void anOverviewLooksLikeTheWholeFromAfar();
     void aPyramidCanBeCancelled();
     void namesStandAsNearAsCanBeWithoutCoveringEachOther();
     void theLevelHasAboutACellForEachPixel();
@@ -155,6 +156,42 @@ void TestMatrixView::namesStandAsNearAsCanBeWithoutCoveringEachOther()
                                         std::pow(three + 20 - 65, 2));
     }
     QVERIFY(std::abs(moved - least) < 0.1);
+}
+
+/// Before the numbers of a table are there.
+void TestMatrixView::anOverviewLooksLikeTheWholeFromAfar()
+{
+    const int side = 701;
+    const int each = 4;
+    const MatrixValues values = randomValues(side, 5);
+    const int squares = (side + each - 1) / each;
+    std::vector<float> least(static_cast<std::size_t>(squares) * static_cast<std::size_t>(squares), nothing);
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            float& square = least[static_cast<std::size_t>(row / each) * static_cast<std::size_t>(squares) +
+                                  static_cast<std::size_t>(column / each)];
+            square = std::min(square, values.value(row, column));
+        }
+    }
+    const MatrixOverview overview{side, each, {std::shared_ptr<void>(), least.data()}};
+    QCOMPARE(overview.squares(), squares);
+    const auto whole = buildMatrixPyramid(values, 0.1F, 0.9F);
+    const auto known = buildMatrixPyramid(overview, 0.1F, 0.9F);
+    QCOMPARE(known->side(), side);
+    QCOMPARE(known->levels().size(), whole->levels().size() - 2);
+    for (std::size_t level = 0; level < known->levels().size(); ++level)
+        QCOMPARE(known->levels()[level].shades, whole->levels()[level + 2].shades);
+    for (const double cells : {0.1, 1.0, 3.9, 4.0, 7.9, 8.0, 100.0})
+        QCOMPARE(known->halvings(known->levelFor(cells)), std::max(whole->levelFor(cells), 2));
+
+    m_view->setBlocks({{"walk", side}});
+    m_view->resize(240, 240); // more than four cells for each pixel
+    m_view->setMatrix({}, known, {0.1, 0.9, ColorMap::Sequential, "Cost", "mm"});
+    const QImage fromAfar = m_view->grab().toImage();
+    QCOMPARE(m_view->cellText({1, 2}), QString("walk 1 → walk 2: nothing"));
+    m_view->setMatrix(values, whole, {0.1, 0.9, ColorMap::Sequential, "Cost", "mm"});
+    QCOMPARE(m_view->grab().toImage(), fromAfar);
+    QVERIFY(m_view->isFitted());
 }
 
 void TestMatrixView::aPyramidCanBeCancelled()

@@ -65,9 +65,38 @@ void halveRow(const MatrixPyramid::Level& from, int row, MatrixPyramid::Shade* s
 int MatrixPyramid::levelFor(double cells) const
 {
     int level = 0;
-    while (level + 1 < static_cast<int>(m_levels.size()) && static_cast<double>(2 << level) <= cells)
+    while (level + 1 < static_cast<int>(m_levels.size()) &&
+           static_cast<double>(2 << halvings(level)) <= cells)
         ++level;
     return level;
+}
+
+/// \return false when cancelled.
+bool MatrixPyramid::addLevels(const MatrixValues& finest, float minimum, float maximum,
+                              const MatrixFilter& filter, const std::function<bool()>& isCancelled)
+{
+    const auto add = [&](int side, const auto& fillRow) {
+        Level made{side, {}};
+        made.shades.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+        for (int row = 0; row < side; ++row) {
+            if (row % rowsBetweenQuestions == 0 && isCancelled && isCancelled())
+                return false;
+            fillRow(row, made.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(side));
+        }
+        m_levels.push_back(std::move(made));
+        return true;
+    };
+    if (finest.side <= 0)
+        return true;
+    const Shader shader(minimum, maximum);
+    if (!add(finest.side, [&](int row, Shade* shades) { shadeRow(finest, row, shader, filter, shades); }))
+        return false;
+    while (m_levels.back().side > 1) {
+        const Level& finer = m_levels.back();
+        if (!add((finer.side + 1) / 2, [&](int row, Shade* shades) { halveRow(finer, row, shades); }))
+            return false;
+    }
+    return true;
 }
 
 std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& values, float minimum,
@@ -75,29 +104,20 @@ std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& valu
                                                         const std::function<bool()>& isCancelled)
 {
     auto pyramid = std::make_shared<MatrixPyramid>();
-    const auto level = [&](int side, const auto& fillRow) {
-        MatrixPyramid::Level made{side, {}};
-        made.shades.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-        for (int row = 0; row < side; ++row) {
-            if (row % rowsBetweenQuestions == 0 && isCancelled && isCancelled())
-                return false;
-            fillRow(row, made.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(side));
-        }
-        pyramid->m_levels.push_back(std::move(made));
-        return true;
-    };
-    if (values.side <= 0)
-        return pyramid;
-    const Shader shader(minimum, maximum);
-    if (!level(values.side,
-               [&](int row, MatrixPyramid::Shade* shades) { shadeRow(values, row, shader, filter, shades); }))
+    pyramid->m_side = std::max(values.side, 0);
+    if (!pyramid->addLevels(values, minimum, maximum, filter, isCancelled))
         return nullptr;
-    while (pyramid->m_levels.back().side > 1) {
-        const MatrixPyramid::Level& finer = pyramid->m_levels.back();
-        if (!level((finer.side + 1) / 2,
-                   [&](int row, MatrixPyramid::Shade* shades) { halveRow(finer, row, shades); }))
-            return nullptr;
-    }
+    return pyramid;
+}
+
+std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview, float minimum,
+                                                        float maximum)
+{
+    auto pyramid = std::make_shared<MatrixPyramid>();
+    pyramid->m_side = overview.side;
+    for (int each = overview.cellsEach; each > 1; each /= 2)
+        ++pyramid->m_firstHalvings;
+    pyramid->addLevels({overview.squares(), overview.least, nullptr}, minimum, maximum, {}, {});
     return pyramid;
 }
 

@@ -10,7 +10,8 @@
 
 namespace quadrille::widgets {
 
-/// A square table of numbers, row by row, shared and never changed. Infinite cells hold nothing.
+/// A square table of numbers, row by row, shared and never changed. Infinite cells hold nothing, and so do
+/// all where there are no values.
 struct MatrixValues
 {
     int side = 0;
@@ -22,7 +23,7 @@ struct MatrixValues
     int length(int row, int column) const { return lengths ? lengths.get()[offset(row, column)] : 0; }
     bool has(int row, int column) const
     {
-        return value(row, column) < std::numeric_limits<float>::infinity();
+        return values && value(row, column) < std::numeric_limits<float>::infinity();
     }
 
 private:
@@ -31,6 +32,16 @@ private:
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(side) +
                static_cast<std::size_t>(column);
     }
+};
+
+/// What is known of a table before its numbers are there: the least number of each square of cells.
+struct MatrixOverview
+{
+    int side = 0;                       ///< of the table
+    int cellsEach = 1;                  ///< along each side of a square, a power of two
+    std::shared_ptr<const float> least; ///< of as many squares as cover the table, row by row
+
+    int squares() const { return (side + cellsEach - 1) / cellsEach; }
 };
 
 /// Which cells are shown in colour; the others that hold something are greyed.
@@ -69,17 +80,28 @@ public:
         }
     };
 
-    /// The whole table first, then halves of it down to a single cell. None for a table without cells.
+    /// The whole table first, or the finest that is known of it, then halves of it down to a single cell.
+    /// None for a table without cells.
     const std::vector<Level>& levels() const { return m_levels; }
-    int side() const { return m_levels.empty() ? 0 : m_levels.front().side; }
-    /// The coarsest level of which a cell covers at most `cells` of the table's along each side.
+    int side() const { return m_side; }
+    /// How often the table was halved for a level.
+    int halvings(int level) const { return m_firstHalvings + level; }
+    /// The coarsest level of which a cell covers at most `cells` of the table's along each side, or the
+    /// first.
     int levelFor(double cells) const;
 
 private:
     friend std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& values, float minimum,
                                                                    float maximum, const MatrixFilter& filter,
                                                                    const std::function<bool()>& isCancelled);
+    friend std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview,
+                                                                   float minimum, float maximum);
+    bool addLevels(const MatrixValues& finest, float minimum, float maximum, const MatrixFilter& filter,
+                   const std::function<bool()>& isCancelled);
+
     std::vector<Level> m_levels;
+    int m_side = 0;          ///< of the table
+    int m_firstHalvings = 0; ///< of the first level
 };
 
 /// \param minimum  the value of the first shade. \param maximum  that of the last; larger ones look the same.
@@ -88,5 +110,8 @@ private:
 std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& values, float minimum,
                                                         float maximum, const MatrixFilter& filter = {},
                                                         const std::function<bool()>& isCancelled = {});
+/// The same levels without the finest ones, which are not known.
+std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview, float minimum,
+                                                        float maximum);
 
 } // namespace quadrille::widgets

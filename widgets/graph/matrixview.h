@@ -56,7 +56,8 @@ public:
     ~MatrixView() override;
 
     /// Shows another table; nothing with a null pyramid. One of the same size leaves the view where it is.
-    /// \param pyramid  of the values, from `range`'s minimum to its maximum.
+    /// \param values  maybe none yet, while the pyramid is that of an overview. \param pyramid  of the
+    /// values, from `range`'s minimum to its maximum.
     void setMatrix(MatrixValues values, std::shared_ptr<const MatrixPyramid> pyramid,
                    const ScalarRange& range);
     /// \pre their counts add up to the table's side.

@@ -36,14 +36,14 @@ std::array<QRgb, 256> shadeColors()
     return colors;
 }
 
-/// The cell of a level that each pixel of the screen shows; −1 beside the table.
-std::vector<int> cellsOfPixels(int pixels, double ratio, double origin, double scale, int level, int side)
+/// The cell that each pixel of the screen shows, of a level after so many halvings; −1 beside the table.
+std::vector<int> cellsOfPixels(int pixels, double ratio, double origin, double scale, int halvings, int side)
 {
     std::vector<int> cells(static_cast<std::size_t>(pixels), -1);
     for (int pixel = 0; pixel < pixels; ++pixel) {
         const double cell = std::floor(((pixel + 0.5) / ratio - origin) / scale);
         if (cell >= 0 && cell < side)
-            cells[static_cast<std::size_t>(pixel)] = static_cast<int>(cell) >> level;
+            cells[static_cast<std::size_t>(pixel)] = static_cast<int>(cell) >> halvings;
     }
     return cells;
 }
@@ -108,8 +108,9 @@ void MatrixView::Private::paintPicture(double ratio)
     picture.setDevicePixelRatio(ratio);
     const int level = pyramid->levelFor(1.0 / (cell() * ratio));
     const MatrixPyramid::Level& shown = pyramid->levels()[static_cast<std::size_t>(level)];
-    const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale.width(), level, side());
-    const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale.height(), level, side());
+    const int halvings = pyramid->halvings(level);
+    const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale.width(), halvings, side());
+    const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale.height(), halvings, side());
     const std::array<QRgb, 256> colors = shadeColors();
     const QRgb outside = Theme::color(ColorRole::Window).rgb();
     int rowBefore = -2;

@@ -32,8 +32,7 @@ using widgets::ArcView;
 using widgets::MatrixView;
 using widgets::TakeGraphView;
 
-constexpr int sampledCells = 200000; // for the ends of the colours
-constexpr double shownShare = 0.9;   // of the costs; dearer ones look alike
+constexpr int sampledCells = 200000; // for what the filter keeps
 
 struct Picture
 {
@@ -42,29 +41,32 @@ struct Picture
     double kept = 1; ///< share of the transitions that pass the filter
 };
 
-Picture makePicture(const widgets::MatrixValues& values, const widgets::MatrixFilter& filter,
-                    const Progress& progress)
+widgets::ScalarRange shownRange(const CostRange& range)
+{
+    widgets::ScalarRange shown;
+    shown.minimum = range.minimum;
+    shown.maximum = range.maximum;
+    return shown;
+}
+
+Picture makePicture(const TransitionCosts& costs, const widgets::MatrixValues& values,
+                    const widgets::MatrixFilter& filter, const Progress& progress)
 {
     const auto count = static_cast<std::size_t>(values.side) * static_cast<std::size_t>(values.side);
     const std::size_t step = std::max<std::size_t>(count / sampledCells, 1);
-    std::vector<float> sample;
+    std::size_t looked = 0;
     std::size_t passing = 0;
     for (std::size_t i = 0; i < count; i += step) {
         const float value = values.values.get()[i];
         if (!(value < std::numeric_limits<float>::infinity()))
             continue;
-        sample.push_back(value);
+        ++looked;
         passing += filter.passes(value, values.lengths.get()[i]) ? 1 : 0;
     }
     Picture picture;
-    if (!sample.empty()) {
-        picture.kept = static_cast<double>(passing) / static_cast<double>(sample.size());
-        picture.range.minimum = *std::min_element(sample.begin(), sample.end());
-        const auto high =
-            sample.begin() + static_cast<std::ptrdiff_t>(shownShare * static_cast<double>(sample.size() - 1));
-        std::nth_element(sample.begin(), high, sample.end());
-        picture.range.maximum = *high;
-    }
+    picture.range = shownRange(costRange(costs.cost()));
+    if (looked > 0)
+        picture.kept = static_cast<double>(passing) / static_cast<double>(looked);
     picture.pyramid =
         widgets::buildMatrixPyramid(values, static_cast<float>(picture.range.minimum),
                                     static_cast<float>(picture.range.maximum), filter, [&progress] {
@@ -79,8 +81,12 @@ Picture makePicture(const widgets::MatrixValues& values, const widgets::MatrixFi
 QString costUnit(const GraphExplorer& explorer)
 {
     const auto& opened = explorer.character();
-    const bool isSurface = !opened || opened->graph.work().graph.pose.metric == PoseMetric::Surface;
-    return isSurface ? GraphMap::tr("rad") : GraphMap::tr("m");
+    return costUnit(opened ? opened->graph.work().graph.pose.metric : PoseMetric::Surface);
+}
+
+QString costUnit(PoseMetric metric)
+{
+    return metric == PoseMetric::Surface ? GraphMap::tr("rad") : GraphMap::tr("m");
 }
 
 GraphMap::GraphMap(GraphExplorer& explorer, FramePictures& pictures, JobRunner& jobs, QWidget* parent)
@@ -237,13 +243,47 @@ void GraphMap::followCharacter()
             nodes.push_back({name, widgets::Theme::categorical(s), {}});
         }
     }
-    m_matrix->setMatrix({}, nullptr, {});
+    // What shows from afar stays until the same costs are drawn from their table.
+    const bool showsOverview = opened && m_overview && m_overview->layout == opened->graph.layout();
+    if (!showsOverview)
+        m_matrix->setMatrix({}, nullptr, {});
     m_matrix->setBlocks(std::move(blocks));
+    m_matrix->setEnabled(true);
     m_arcs->setSequences(std::move(sequences));
     m_takes->setNodes(std::move(nodes));
     showPictures();
     retranslate();
     buildPicture();
+}
+
+void GraphMap::showOverview(std::shared_ptr<const CostOverview> overview, const QStringList& sequences,
+                            PoseMetric metric)
+{
+    if (overview == m_overview)
+        return;
+    m_overview = std::move(overview);
+    if (m_explorer.character())
+        return;
+    m_matrix->setEnabled(!m_overview);
+    if (!m_overview) {
+        m_matrix->setMatrix({}, nullptr, {});
+        return;
+    }
+    std::vector<widgets::MatrixBlock> blocks;
+    for (int s = 0; s < m_overview->layout.sequenceCount(); ++s)
+        blocks.push_back({sequences.value(s), m_overview->layout.countOf(s)});
+    const widgets::MatrixOverview known{
+        .side = m_overview->layout.frameCount(),
+        .cellsEach = m_overview->framesOfCell,
+        .least = std::shared_ptr<const float>(m_overview, m_overview->least.data())};
+    widgets::ScalarRange range = shownRange(m_overview->range);
+    range.title = tr("Cost");
+    range.unit = costUnit(metric);
+    m_matrix->setBlocks(std::move(blocks));
+    m_matrix->setMatrix({.side = known.side},
+                        widgets::buildMatrixPyramid(known, static_cast<float>(range.minimum),
+                                                    static_cast<float>(range.maximum)),
+                        range);
 }
 
 void GraphMap::followReplacement()
@@ -286,8 +326,8 @@ void GraphMap::buildPicture()
     m_shown = filter();
     m_job = m_jobs.start(
         {.name = tr("Drawing the costs"), .receiver = this, .background = true},
-        [values = values(), shown = *m_shown](const Progress& progress) {
-            return makePicture(values, shown, progress);
+        [opened = m_explorer.character(), values = values(), shown = *m_shown](const Progress& progress) {
+            return makePicture(opened->graph.costs(), values, shown, progress);
         },
         [this](Picture picture) {
             m_job.clear();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "editor/jobs/job.h"
+#include "model/graph/costoverview.h"
 #include "model/transition/framepair.h"
+#include "model/transition/posedistancesettings.h"
 #include "widgets/graph/matrixpyramid.h"
 #include "widgets/theme/colormap.h"
 
@@ -55,6 +57,10 @@ public:
     widgets::TakeGraphView& takes() { return *m_takes; }
     void setMode(Mode mode);
     void setEdgesVisible(bool essential, bool motion);
+    /// Shows costs from afar until a character is there, whose own come in their place. They cannot be
+    /// pointed at. \param overview  null for none. \param sequences  names, as many as it has.
+    void showOverview(std::shared_ptr<const CostOverview> overview, const QStringList& sequences,
+                      PoseMetric metric);
     /// The rate of the project, for lengths in seconds.
     void setFps(double fps);
     /// Shows what is chosen; emits nothing.
@@ -110,6 +116,7 @@ private:
     QToolButton* m_takeFilter;
     QPointer<Job> m_job;
     std::optional<widgets::MatrixFilter> m_shown; ///< what the picture was made for
+    std::shared_ptr<const CostOverview> m_overview;
     std::shared_ptr<const widgets::MatrixPyramid> m_pyramid;
     widgets::ScalarRange m_range;
     bool m_arcsAreOld = true;
@@ -120,5 +127,6 @@ private:
 
 /// "rad" or "m": in what a character's costs are.
 QString costUnit(const GraphExplorer& explorer);
+QString costUnit(PoseMetric metric);
 
 } // namespace quadrille

@@ -16,6 +16,8 @@
 #include "editor/workspaces/graph/pairpreview.h"
 #include "editor/workspaces/graph/transitionpanel.h"
 #include "editor/workspaces/graph/transitionspeeds.h"
+#include "model/project/document/madeclips.h"
+#include "model/project/steps/charactersteps.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/matrixview.h"
 #include "widgets/theme/theme.h"
@@ -231,16 +233,37 @@ void GraphWorkspace::followGraph()
     m_statePage->show(character);
     const auto* resultState = m_context.graphs.resultState(character);
     m_explorer->setCharacter(resultState != nullptr ? resultState->opened : nullptr);
+    showOverview();
     m_charts->setAlpha(m_explorer->alpha());
     showState();
     updateActions();
 }
 
+/// While a graph is opened for the first time.
+void GraphWorkspace::showOverview()
+{
+    const auto* state = m_context.graphs.resultState(m_bar->character());
+    const bool isOpening =
+        state != nullptr && state->opened == nullptr && state->phase == ResultPhase::Computing;
+    m_hasOverview = isOpening && state->overview != nullptr;
+    showReadOut();
+    if (!m_hasOverview) {
+        m_map->showOverview(nullptr, {}, {});
+        return;
+    }
+    const Project& project = m_context.document.project();
+    const std::string character = m_bar->character().toStdString();
+    QStringList sequences;
+    for (const std::string& name : sequencesOfGraph(project, character))
+        sequences += QString::fromStdString(name);
+    m_map->showOverview(state->overview, sequences, graphOf(project, character).pose.metric);
+}
+
 void GraphWorkspace::showState()
 {
     const bool isThere = m_explorer->character() != nullptr;
-    m_pages->setCurrentIndex(isThere ? 1 : 0);
-    m_readOut->setVisible(isThere);
+    m_pages->setCurrentIndex(isThere || m_hasOverview ? 1 : 0);
+    m_readOut->setVisible(isThere || m_hasOverview);
     viewport().setNotice(!isThere || !scene().shown().isEmpty()
                              ? QString()
                              : tr("Point at the map to see two frames; click to play the transition."));
@@ -316,8 +339,9 @@ QString GraphWorkspace::readOut(const FramePair& pair) const
 void GraphWorkspace::showReadOut()
 {
     const auto pair = m_hovered ? m_hovered : m_chosen;
-    m_readOut->setText(pair && m_explorer->character() ? readOut(*pair)
-                                                       : tr("Point at the map to read costs"));
+    m_readOut->setText(m_hasOverview                     ? tr("The graph is being opened…")
+                       : pair && m_explorer->character() ? readOut(*pair)
+                                                         : tr("Point at the map to read costs"));
     m_readOut->setToolTip(m_readOut->text());
 }
 

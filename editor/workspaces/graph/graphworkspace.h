@@ -70,6 +70,7 @@ private:
     void connectParts();
     void followGraph();
     void showState();
+    void showOverview();
     void updateActions();
     void choose(const FramePair& pair);
     void hover(const std::optional<FramePair>& pair);
@@ -103,6 +104,7 @@ private:
     std::optional<FramePair> m_chosen;
     QTimer m_dwell; ///< how long the pointer must rest until frames are shown instead of a clip
     bool m_isActive = false;
+    bool m_hasOverview = false; ///< shows costs from afar: the graph is being opened
 };
 
 } // namespace quadrille

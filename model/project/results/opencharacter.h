@@ -5,6 +5,7 @@
 #include "model/project/results/projectresults.h"
 #include "model/project/steps/charactergraph.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,14 +24,20 @@ enum class GraphOpening
     IfFresh, ///< nothing where they are not up to date
 };
 
+/// Takes what is seen of a graph's costs from afar, before their tables are read.
+using OverviewTaker = std::function<void(std::shared_ptr<const CostOverview>)>;
+
 /// Opens the graph of a character from the results of a project.
+/// \param overview  is called first, from this thread, where the store has one that is up to date.
 /// \return null where there are no sequences, or results are missing that were not to be computed.
 /// \throws Error of the step that failed, of opening sequences, Cancelled.
 std::shared_ptr<const OpenedCharacter> openCharacter(WorkingProject working, const std::string& character,
-                                                     GraphOpening opening, const Progress& progress = {});
+                                                     GraphOpening opening, const Progress& progress = {},
+                                                     const OverviewTaker& overview = {});
 /// \overload of a character that the project has steps for.
 std::shared_ptr<const OpenedCharacter> openCharacter(const ProjectResults& results,
                                                      const std::string& character, GraphOpening opening,
-                                                     const Progress& progress = {});
+                                                     const Progress& progress = {},
+                                                     const OverviewTaker& overview = {});
 
 } // namespace quadrille

@@ -4,6 +4,7 @@
 
 #include "model/project/document/paths.h"
 #include "model/project/results/makesteps.h"
+#include "model/project/results/stepstate.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 
@@ -70,6 +71,17 @@ FreshResults ProjectResults::get(const std::vector<std::string>& steps, const Pr
             throw Error(*step.error);
     }
     return freshOf(report);
+}
+
+ResultPointer ProjectResults::stored(const std::string& step, const Progress& progress) const
+{
+    const auto folder = cacheFolder(m_working.file);
+    const std::vector<BuildStep> steps = selectSteps(m_steps, {step});
+    const StepStatus status = stepKeys(steps, m_working.session->hashes(folder), progress).back();
+    if (status.error)
+        throw Error(*status.error);
+    const ResultStore::Entry entry = ResultStore(folder, m_working.session->results()).load(step, status.key);
+    return entry.state == ResultStore::State::Fresh ? entry.result : nullptr;
 }
 
 std::optional<FreshResults> ProjectResults::getIfFresh(const std::vector<std::string>& steps,

@@ -79,6 +79,11 @@ public:
     std::optional<FreshResults> getIfFresh(const std::vector<std::string>& steps,
                                            const Progress& progress = {}) const;
 
+    /// What the store has of a step as it would be computed now, whether or not the results that it was made
+    /// from are still there, which are not looked at; null where there is none. \throws Error Cancelled, of
+    /// inputs that cannot be read.
+    ResultPointer stored(const std::string& step, const Progress& progress = {}) const;
+
 private:
     WorkingProject m_working;
     std::shared_ptr<SequenceOpener> m_opener;

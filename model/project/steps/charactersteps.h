@@ -41,6 +41,7 @@ inline constexpr auto euclideanDistance = "euclidean-distance";
 inline constexpr auto transitions = "transitions";
 inline constexpr auto drifts = "foot-drifts";
 inline constexpr auto liveliness = "liveliness";
+inline constexpr auto overview = "cost-overview"; ///< what is seen first; nothing else needs it
 inline constexpr auto graphs = "graphs";
 inline constexpr auto edges = "edges"; ///< told by name and cost; nothing else needs them
 inline constexpr auto rootPoses = "root-poses";

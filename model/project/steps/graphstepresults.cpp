@@ -127,6 +127,36 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
     return {nodeCount, std::move(edges)};
 }
 
+Result costOverviewResult(CostOverview overview, const std::string& unit)
+{
+    std::vector<std::int64_t> lengths;
+    for (int s = 0; s < overview.layout.sequenceCount(); ++s)
+        lengths.push_back(overview.layout.countOf(s));
+    Result result;
+    result.arrays = {
+        matrixOf("cost-overview", "Least cost of a transition in each square of so many frames.", unit,
+                 std::move(overview.least)),
+        columnOf("cost-overview-frames", "frame", std::vector<std::int64_t>{overview.framesOfCell}),
+        columnOf("cost-overview-range", unit, std::vector{overview.range.minimum, overview.range.maximum}),
+        columnOf("cost-overview-sequences", "frame", std::move(lengths))};
+    result.arrays[1].description = "Frames along a side of each square.";
+    result.arrays[2].description = "The least cost, and one that nine tenths of all stay below.";
+    result.arrays[3].description = "Frames of each sequence, in the order of the project.";
+    return result;
+}
+
+CostOverview costOverviewOf(const Result& result)
+{
+    const auto wholes = [&](const char* name) -> const std::vector<std::int64_t>& {
+        return std::get<std::vector<std::int64_t>>(arrayOf(result, name).values);
+    };
+    const auto& range = std::get<std::vector<double>>(arrayOf(result, "cost-overview-range").values);
+    return {.layout = FrameLayout(wholes("cost-overview-sequences")),
+            .framesOfCell = static_cast<int>(wholes("cost-overview-frames").front()),
+            .least = *sharedTableOf<float>(arrayOf(result, "cost-overview")),
+            .range = {.minimum = range.front(), .maximum = range.back()}};
+}
+
 Result rootPosesResult(RootPoses roots, const std::string& unit)
 {
     DataArray centres;

@@ -4,6 +4,7 @@
 // What others read of the results of a graph's steps.
 #pragma once
 
+#include "model/graph/costoverview.h"
 #include "model/graph/measuredgraphs.h"
 #include "model/project/steps/charactersteps.h"
 #include "model/synthesis/clips/rootposes.h"
@@ -16,6 +17,10 @@ namespace quadrille {
 
 /// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
 Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
+
+/// \param unit  of costs.
+Result costOverviewResult(CostOverview overview, const std::string& unit);
+CostOverview costOverviewOf(const Result& result);
 
 /// \param unit  of lengths.
 Result rootPosesResult(RootPoses roots, const std::string& unit);

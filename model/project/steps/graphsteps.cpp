@@ -5,6 +5,7 @@
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/steps/charactergraph.h"
+#include "model/project/steps/graphstepresults.h"
 #include "model/project/steps/graphtables.h"
 #include "model/project/steps/posesteps.h"
 #include "model/synthesis/clips/stepcosts.h"
@@ -170,6 +171,20 @@ BuildStep graphStep(const CharacterInputs& work)
     return step;
 }
 
+/// What a map of costs shows of them before they are read.
+BuildStep overviewStep(const CharacterInputs& work)
+{
+    BuildStep step = work.step(graphstep::overview);
+    step.settings = costSettings(work.graph).dump();
+    step.inputs = costInputs(work);
+    step.compute = [work](const StepContext& context, const Progress&) {
+        const auto costs = costsOf(work, context);
+        const bool isSurface = work.graph.pose.metric == PoseMetric::Surface;
+        return costOverviewResult(costOverview(costs->cost(), costs->layout()), isSurface ? "rad" : "m");
+    };
+    return step;
+}
+
 /// A step of its own: the parts of many costs take longer than the graphs, which others wait for.
 BuildStep edgeStep(const CharacterInputs& work)
 {
@@ -273,6 +288,7 @@ std::vector<BuildStep> makeGraphSteps(const StepMaking& making)
             steps.push_back(driftStep(work));
         if (graph.costScale == CostScale::Liveliness)
             steps.push_back(livelinessStep(work));
+        steps.push_back(overviewStep(work));
         steps.push_back(graphStep(work));
         steps.push_back(edgeStep(work));
     }

@@ -176,25 +176,30 @@ TEST_F(GraphSteps, NameTheFramesThatNoWalkReachesOrLeaves)
 
 TEST_F(GraphSteps, OnlyWhatASettingReachesIsComputedAgain)
 {
-    EXPECT_EQ(computed(run()).size(), 6U);
+    EXPECT_EQ(computed(run()).size(), 7U);
     EXPECT_TRUE(computed(run()).empty());
     project.graphs[0].alpha = 0.1;
     EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs", "graph/edges"));
+    const auto fromTransitions =
+        UnorderedElementsAre("graph/transitions", "graph/cost-overview", "graph/graphs", "graph/edges");
     project.graphs[0].slope = 2;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs", "graph/edges"));
+    EXPECT_THAT(computed(run()), fromTransitions);
     project.graphs[0].durations = {0.5, 1.0};
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/transitions", "graph/graphs", "graph/edges"));
+    EXPECT_THAT(computed(run()), fromTransitions);
+    const auto fromDistances = UnorderedElementsAre("graph/pose-distance", "graph/transitions",
+                                                    "graph/cost-overview", "graph/graphs", "graph/edges");
     project.graphs[0].pose.stretchWeight = 0.5;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/pose-distance", "graph/transitions",
-                                                      "graph/graphs", "graph/edges"));
+    EXPECT_THAT(computed(run()), fromDistances);
+    project.graphs[0].pose.triangles = 5;
+    EXPECT_THAT(computed(run()), fromDistances);
     folder.write("slow/f_3.obj", bentStrip(-0.2));
-    EXPECT_EQ(computed(run()).size(), 6U);
+    EXPECT_EQ(computed(run()).size(), 7U);
 }
 
 TEST_F(GraphSteps, CostsAreScaledByLivelinessOnDemand)
 {
     project.graphs[0].costScale = CostScale::Liveliness;
-    EXPECT_EQ(computed(run()).size(), 7U);
+    EXPECT_EQ(computed(run()).size(), 8U);
     const Table<double> liveliness = livelinessOf(frameMeasures(frames(), {}, UpAxis::Y), frames().layout());
     EXPECT_TRUE((matrix("liveliness") == liveliness.cast<float>()).all());
     const PoseDistances poses = poseDistances(frames());
@@ -209,7 +214,7 @@ TEST_F(GraphSteps, CostsAreScaledByLivelinessOnDemand)
     for (std::size_t e = 0; e < weights.size(); ++e)
         EXPECT_EQ(weights[e], essential.edges()[e].weight);
     project.graphs[0].costScale = CostScale::None;
-    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/graphs", "graph/edges"));
+    EXPECT_THAT(computed(run()), UnorderedElementsAre("graph/cost-overview", "graph/graphs", "graph/edges"));
 }
 
 TEST_F(GraphSteps, WindowsComeFromDurationsAtTheRateOfTheProject)

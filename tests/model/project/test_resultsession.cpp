@@ -257,6 +257,43 @@ TEST_F(ResultSessionTest, ReadsTheGraphsOfTheProjectsAlphaAsTheirStepLeftThem)
     EXPECT_EQ(*read->graphs->minima, costMinima(graph.costs(), CostSmoothing::None));
 }
 
+TEST_F(ResultSessionTest, ShowsCostsFromAfarBeforeTheyAreRead)
+{
+    const auto open = [this](GraphOpening opening, std::vector<std::shared_ptr<const CostOverview>>& taken) {
+        return openCharacter(working(), "", opening, {}, [&](std::shared_ptr<const CostOverview> overview) {
+            taken.push_back(std::move(overview));
+        });
+    };
+    std::vector<std::shared_ptr<const CostOverview>> taken;
+    EXPECT_EQ(open(GraphOpening::IfFresh, taken), nullptr);
+    EXPECT_TRUE(taken.empty());
+    const auto opened = open(GraphOpening::Compute, taken);
+    EXPECT_TRUE(taken.empty()) << "there was none yet";
+    EXPECT_THAT(computedNow(), Contains("graph/cost-overview"));
+
+    ASSERT_NE(open(GraphOpening::IfFresh, taken), nullptr);
+    ASSERT_EQ(taken.size(), 1U);
+    const CostOverview made = costOverview(opened->graph.costs().cost(), opened->graph.layout());
+    EXPECT_EQ(taken.front()->layout, made.layout);
+    EXPECT_EQ(taken.front()->framesOfCell, made.framesOfCell);
+    EXPECT_TRUE((taken.front()->least == made.least).all());
+    EXPECT_EQ(taken.front()->range.minimum, made.range.minimum);
+    EXPECT_EQ(taken.front()->range.maximum, made.range.maximum);
+    EXPECT_THAT(computedNow(), IsEmpty());
+}
+
+TEST_F(ResultSessionTest, HasWhatIsStoredWithoutALookAtWhatItWasMadeFrom)
+{
+    run("graph");
+    EXPECT_TRUE(std::filesystem::remove(cacheFolder(working().file) / "graph" / "transitions.h5"));
+    session = std::make_shared<ResultSession>();
+    EXPECT_NE(ProjectResults(working()).stored("graph/cost-overview"), nullptr);
+    EXPECT_EQ(ProjectResults(working()).stored("graph/transitions"), nullptr);
+    EXPECT_FALSE(ProjectResults(working()).getIfFresh({"graph/cost-overview"}));
+    project.graphs.front().slope = 2;
+    EXPECT_EQ(ProjectResults(working()).stored("graph/cost-overview"), nullptr);
+}
+
 TEST_F(ResultSessionTest, KeepsInMemoryOnlyWhatIsNotToBeStored)
 {
     const ProjectResults results(working());
