@@ -17,6 +17,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDir>
+#include <QEventLoop>
 #include <QFile>
 #include <QFileDialog>
 #include <QHeaderView>
@@ -34,6 +35,50 @@ class GraphExpertsTest : public GraphFixture
     Q_OBJECT
 
 private slots:
+    void theMapShowsFromAfarWhileTheGraphIsOpened()
+    {
+        compute();
+        const int frames = graph().layout().frameCount();
+        const QList<QString> takes = [this] {
+            QList<QString> names;
+            for (const widgets::MatrixBlock& block : matrix().blocks())
+                names += block.name;
+            return names;
+        }();
+        const Project project = context().document.project();
+        int shown = 0;
+        const auto watching = connect(&context().graphs, &GraphResults::changed, this, [&] {
+            const auto* state = context().graphs.resultState("spire");
+            if (state == nullptr || state->overview == nullptr)
+                return;
+            ++shown;
+            QVERIFY(state->opened == nullptr && explorer().character() == nullptr);
+            QVERIFY(workspace().map().isVisible() && !matrix().isEnabled());
+            QCOMPARE(matrix().values().side, frames);
+            QVERIFY(!matrix().values().values);
+            QCOMPARE(matrix().blocks().size(), static_cast<std::size_t>(takes.size()));
+            QCOMPARE(matrix().blocks().back().name, takes.back());
+            QCOMPARE(text("graphReadOut"), QString("The graph is being opened…"));
+        });
+        // What opening tells on its way is only taken where the loop does not sleep.
+        for (int attempt = 0; attempt < 10 && shown == 0; ++attempt) {
+            QEventLoop loop;
+            connect(&explorer(), &GraphExplorer::characterChanged, &loop, [&] {
+                if (explorer().character() != nullptr)
+                    loop.quit();
+            });
+            QTimer::singleShot(10000, &loop, &QEventLoop::quit);
+            context().document.reset(project);
+            loop.exec();
+        }
+        disconnect(watching);
+        QVERIFY(shown > 0);
+        QVERIFY(matrix().isEnabled());
+        QTRY_VERIFY(matrix().values().values != nullptr);
+        QCOMPARE(text("graphReadOut"), QString("Point at the map to read costs"));
+        QVERIFY(context().graphs.resultState("spire")->overview == nullptr);
+    }
+
     void selectedTakesFilterMatrixArcsAndLists()
     {
         compute();

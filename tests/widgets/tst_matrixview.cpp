@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
+#include "tests/widgets/randomvalues.h"
 #include "widgets/graph/labelspread.h"
 #include "widgets/graph/matrixview.h"
 
@@ -11,43 +12,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace quadrille::widgets;
-
-namespace {
-
-constexpr float nothing = std::numeric_limits<float>::infinity();
-
-MatrixValues randomValues(int side, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> value(0.0F, 1.2F);
-    const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
-    auto values = std::make_shared<std::vector<float>>(count);
-    auto lengths = std::make_shared<std::vector<std::uint16_t>>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float drawn = value(random);
-        (*values)[i] = drawn > 1 ? nothing : drawn;
-        (*lengths)[i] = static_cast<std::uint16_t>(random() % 40);
-    }
-    return {side, std::shared_ptr<const float>(values, values->data()),
-            std::shared_ptr<const std::uint16_t>(lengths, lengths->data())};
-}
-
-} // namespace
 
 class TestMatrixView : public QObject
 {
     Q_OBJECT
 private slots:
     void init();
-    void everyLevelShowsTheCheapestCellThatPasses_data();
-    void everyLevelShowsTheCheapestCellThatPasses();
-    void anOverviewLooksLikeTheWholeFromAfar();
-    void aPyramidCanBeCancelled();
     void namesStandAsNearAsCanBeWithoutCoveringEachOther();
-    void theLevelHasAboutACellForEachPixel();
     void clickingAPixelActivatesItsCell();
     void hoveringTellsTheCellAndItsEnd();
     void thePictureShowsTheCellUnderEachPixel();
@@ -82,49 +55,6 @@ void TestMatrixView::init()
     QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
 }
 
-void TestMatrixView::everyLevelShowsTheCheapestCellThatPasses_data()
-{
-    QTest::addColumn<int>("side");
-    QTest::addColumn<bool>("filtered");
-    for (const int side : {1, 2, 5, 16, 37})
-        for (const bool filtered : {false, true})
-            QTest::addRow("%d %s", side, filtered ? "filtered" : "all") << side << filtered;
-}
-
-void TestMatrixView::everyLevelShowsTheCheapestCellThatPasses()
-{
-    QFETCH(const int, side);
-    QFETCH(const bool, filtered);
-    const MatrixValues values = randomValues(side, 11);
-    const MatrixFilter filter = filtered ? MatrixFilter{0.6F, 5, 30} : MatrixFilter{};
-    const auto pyramid = buildMatrixPyramid(values, 0.1F, 0.9F, filter);
-    int cells = 1;
-    for (const MatrixPyramid::Level& level : pyramid->levels()) {
-        QCOMPARE(level.side, (side + cells - 1) / cells);
-        for (int row = 0; row < level.side; ++row) {
-            for (int column = 0; column < level.side; ++column) {
-                float cheapest = nothing;
-                float cheapestGrey = nothing;
-                for (int i = row * cells; i < std::min((row + 1) * cells, side); ++i)
-                    for (int j = column * cells; j < std::min((column + 1) * cells, side); ++j) {
-                        float& least =
-                            filter.passes(values.value(i, j), values.length(i, j)) ? cheapest : cheapestGrey;
-                        least = std::min(least, values.value(i, j));
-                    }
-                const auto step = [](float value) {
-                    return std::clamp(static_cast<int>((value - 0.1F) * (127 / (0.9F - 0.1F))), 0, 126);
-                };
-                const int expected = cheapest < nothing       ? step(cheapest)
-                                     : cheapestGrey < nothing ? 127 + step(cheapestGrey)
-                                                              : 255;
-                QCOMPARE(static_cast<int>(level.at(row, column)), expected);
-            }
-        }
-        cells *= 2;
-    }
-    QCOMPARE(pyramid->levels().back().side, 1);
-}
-
 void TestMatrixView::namesStandAsNearAsCanBeWithoutCoveringEachOther()
 {
     using Places = std::vector<std::optional<double>>;
@@ -156,59 +86,6 @@ void TestMatrixView::namesStandAsNearAsCanBeWithoutCoveringEachOther()
                                         std::pow(three + 20 - 65, 2));
     }
     QVERIFY(std::abs(moved - least) < 0.1);
-}
-
-/// Before the numbers of a table are there.
-void TestMatrixView::anOverviewLooksLikeTheWholeFromAfar()
-{
-    const int side = 701;
-    const int each = 4;
-    const MatrixValues values = randomValues(side, 5);
-    const int squares = (side + each - 1) / each;
-    std::vector<float> least(static_cast<std::size_t>(squares) * static_cast<std::size_t>(squares), nothing);
-    for (int row = 0; row < side; ++row) {
-        for (int column = 0; column < side; ++column) {
-            float& square = least[static_cast<std::size_t>(row / each) * static_cast<std::size_t>(squares) +
-                                  static_cast<std::size_t>(column / each)];
-            square = std::min(square, values.value(row, column));
-        }
-    }
-    const MatrixOverview overview{side, each, {std::shared_ptr<void>(), least.data()}};
-    QCOMPARE(overview.squares(), squares);
-    const auto whole = buildMatrixPyramid(values, 0.1F, 0.9F);
-    const auto known = buildMatrixPyramid(overview, 0.1F, 0.9F);
-    QCOMPARE(known->side(), side);
-    QCOMPARE(known->levels().size(), whole->levels().size() - 2);
-    for (std::size_t level = 0; level < known->levels().size(); ++level)
-        QCOMPARE(known->levels()[level].shades, whole->levels()[level + 2].shades);
-    for (const double cells : {0.1, 1.0, 3.9, 4.0, 7.9, 8.0, 100.0})
-        QCOMPARE(known->halvings(known->levelFor(cells)), std::max(whole->levelFor(cells), 2));
-
-    m_view->setBlocks({{"walk", side}});
-    m_view->resize(240, 240); // more than four cells for each pixel
-    m_view->setMatrix({}, known, {0.1, 0.9, ColorMap::Sequential, "Cost", "mm"});
-    const QImage fromAfar = m_view->grab().toImage();
-    QCOMPARE(m_view->cellText({1, 2}), QString("walk 1 → walk 2: nothing"));
-    m_view->setMatrix(values, whole, {0.1, 0.9, ColorMap::Sequential, "Cost", "mm"});
-    QCOMPARE(m_view->grab().toImage(), fromAfar);
-    QVERIFY(m_view->isFitted());
-}
-
-void TestMatrixView::aPyramidCanBeCancelled()
-{
-    int asked = 0;
-    QVERIFY(!buildMatrixPyramid(randomValues(300, 1), 0, 1, {}, [&] { return ++asked == 3; }));
-    QCOMPARE(asked, 3);
-}
-
-void TestMatrixView::theLevelHasAboutACellForEachPixel()
-{
-    const auto pyramid = buildMatrixPyramid(randomValues(64, 1), 0, 1);
-    QCOMPARE(pyramid->levelFor(0.1), 0);
-    QCOMPARE(pyramid->levelFor(1.9), 0);
-    QCOMPARE(pyramid->levelFor(2), 1);
-    QCOMPARE(pyramid->levelFor(9), 3);
-    QCOMPARE(pyramid->levelFor(1e9), 6);
 }
 
 void TestMatrixView::clickingAPixelActivatesItsCell()
