@@ -18,25 +18,27 @@ bool isBefore(const Edge& a, const Edge& b)
 } // namespace
 
 Digraph::Digraph(NodeIndex nodeCount, std::vector<Edge> edges)
-    : m_edges(std::move(edges)), m_firstOf(static_cast<std::size_t>(nodeCount) + 1, m_edges.size())
 {
-    assert(std::adjacent_find(m_edges.begin(), m_edges.end(),
-                              [](const Edge& a, const Edge& b) { return !isBefore(a, b); }) == m_edges.end());
+    assert(std::adjacent_find(edges.begin(), edges.end(),
+                              [](const Edge& a, const Edge& b) { return !isBefore(a, b); }) == edges.end());
+    std::vector<std::size_t> firstOf(static_cast<std::size_t>(nodeCount) + 1, edges.size());
     std::size_t node = 0;
-    for (std::size_t e = 0; e < m_edges.size(); ++e) {
-        const Edge& edge = m_edges[e];
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const Edge& edge = edges[e];
         assert(edge.from >= 0 && edge.to >= 0 && edge.from < nodeCount && edge.to < nodeCount);
         assert(edge.from != edge.to && std::isfinite(edge.weight) && edge.weight >= 0);
         for (; node <= static_cast<std::size_t>(edge.from); ++node)
-            m_firstOf[node] = e;
+            firstOf[node] = e;
     }
+    m_content = std::make_shared<const Content>(Content{std::move(edges), std::move(firstOf)});
 }
 
 std::span<const Edge> Digraph::edgesFrom(NodeIndex node) const
 {
     assert(node >= 0 && node < nodeCount());
     const auto n = static_cast<std::size_t>(node);
-    return std::span(m_edges).subspan(m_firstOf[n], m_firstOf[n + 1] - m_firstOf[n]);
+    const std::vector<std::size_t>& firstOf = m_content->firstOf;
+    return edges().subspan(firstOf[n], firstOf[n + 1] - firstOf[n]);
 }
 
 const Edge* Digraph::find(NodeIndex from, NodeIndex to) const
@@ -49,13 +51,13 @@ const Edge* Digraph::find(NodeIndex from, NodeIndex to) const
 
 std::int64_t Digraph::count(EdgeKind kind) const
 {
-    return std::count_if(m_edges.begin(), m_edges.end(), [&](const Edge& edge) { return edge.kind == kind; });
+    return std::ranges::count(edges(), kind, &Edge::kind);
 }
 
 double Digraph::density() const
 {
     const double nodes = nodeCount();
-    return nodes < 2 ? 0 : static_cast<double>(m_edges.size()) / (nodes * (nodes - 1));
+    return nodes < 2 ? 0 : static_cast<double>(edges().size()) / (nodes * (nodes - 1));
 }
 
 Digraph thinned(const Digraph& graph, std::int64_t edgeCount)

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,18 +34,19 @@ struct Edge
     bool operator==(const Edge&) const = default;
 };
 
-/// A weighted directed graph over the frames of a character: a plain value. At most one edge leads from one
-/// frame to another, and none from a frame to itself.
+/// A weighted directed graph over the frames of a character: a plain value, as cheap to copy as a pointer
+/// however many edges it has. At most one edge leads from one frame to another, and none from a frame to
+/// itself.
 class Digraph
 {
 public:
-    Digraph() = default;
+    Digraph() : Digraph(0, {}) {}
     /// \param edges  of frames in [0, nodeCount), sorted by source, then destination.
     Digraph(NodeIndex nodeCount, std::vector<Edge> edges);
 
-    NodeIndex nodeCount() const { return static_cast<NodeIndex>(m_firstOf.size()) - 1; }
+    NodeIndex nodeCount() const { return static_cast<NodeIndex>(m_content->firstOf.size()) - 1; }
     /// All edges, sorted by source, then destination.
-    std::span<const Edge> edges() const { return m_edges; }
+    std::span<const Edge> edges() const { return m_content->edges; }
     /// The edges that leave a frame, sorted by destination.
     std::span<const Edge> edgesFrom(NodeIndex node) const;
     /// The edge between two frames; null where there is none.
@@ -53,11 +55,19 @@ public:
     std::int64_t count(EdgeKind kind) const;
     /// Edges divided by the most that there could be, V(V−1); 0 for fewer than two nodes.
     double density() const;
-    bool operator==(const Digraph&) const = default;
+    bool operator==(const Digraph& other) const
+    {
+        return m_content == other.m_content || *m_content == *other.m_content;
+    }
 
 private:
-    std::vector<Edge> m_edges;
-    std::vector<std::size_t> m_firstOf{0}; ///< position of each node's first edge, and the number of edges
+    struct Content
+    {
+        std::vector<Edge> edges;
+        std::vector<std::size_t> firstOf{0}; ///< position of each node's first edge, and the number of edges
+        bool operator==(const Content&) const = default;
+    };
+    std::shared_ptr<const Content> m_content; ///< never null
 };
 
 /// The graph with at most `edgeCount` edges that is left when the heaviest transitions go first (the later

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/results/opencharacter.h"
 
+#include "model/core/freememory.h"
+
 #include <algorithm>
 
 namespace quadrille {
@@ -41,8 +43,10 @@ std::shared_ptr<const OpenedCharacter> openCharacter(const ProjectResults& resul
         if (!fresh)
             return nullptr;
         CharacterFrames frames = work.open(progress.part(computing, 1));
-        return std::shared_ptr<const OpenedCharacter>(
+        std::shared_ptr<const OpenedCharacter> opened(
             new OpenedCharacter{std::move(frames), CharacterGraph(work, fresh->context())});
+        returnFreeMemory();
+        return opened;
     } catch (const Error& error) {
         if (error.code() != ErrorCode::ResultReplaced)
             throw;

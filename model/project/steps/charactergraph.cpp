@@ -93,11 +93,7 @@ CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& c
         nlohmann::json({costSettings(work.graph), settings.fps, static_cast<int>(settings.axes.up)}).dump();
     m_tables = context.shared<const Tables>(steps, others,
                                             [&] { return std::make_shared<const Tables>(work, context); });
-    const std::string graphs = work.stepName(graphstep::graphs);
-    m_graph = context.shared<const Digraph>({graphs}, {}, [&] {
-        return std::make_shared<const Digraph>(
-            storedGraph(*context.resultOf(graphs), "essential-graph", m_tables->layout.frameCount()));
-    });
+    m_graph = storedEssentialGraph(work, context, m_tables->layout.frameCount());
 }
 
 Table<float> CharacterGraph::steps() const

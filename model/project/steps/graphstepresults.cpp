@@ -127,6 +127,16 @@ Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nod
     return {nodeCount, std::move(edges)};
 }
 
+std::shared_ptr<const Digraph> storedEssentialGraph(const CharacterInputs& work, const StepContext& context,
+                                                    NodeIndex nodeCount)
+{
+    const std::string graphs = work.stepName(graphstep::graphs);
+    return context.shared<const Digraph>({graphs}, {}, [&] {
+        return std::make_shared<const Digraph>(
+            storedGraph(*context.resultOf(graphs), "essential-graph", nodeCount));
+    });
+}
+
 Result costOverviewResult(CostOverview overview, const std::string& unit)
 {
     std::vector<std::int64_t> lengths;
@@ -233,7 +243,7 @@ std::shared_ptr<const MeasuredGraphs> storedGraphs(const CharacterInputs& work, 
         auto graphs = std::make_shared<GraphPair>();
         graphs->alpha = work.graph.alpha;
         graphs->minima = std::move(minima);
-        graphs->essential = storedGraph(*result, "essential-graph", frames);
+        graphs->essential = *storedEssentialGraph(work, context, frames);
         progress.report(0.5);
         graphs->motion = storedGraph(*result, "motion-graph", frames);
         MeasuredGraphs measured;

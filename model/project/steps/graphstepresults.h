@@ -18,6 +18,10 @@ namespace quadrille {
 /// One of both graphs, "essential-graph" or "motion-graph", from the result of the step of graphs.
 Digraph storedGraph(const Result& graphs, const std::string& name, NodeIndex nodeCount);
 
+/// The Essential graph at the project's α, as the step of graphs left it; shared by all who want it.
+std::shared_ptr<const Digraph> storedEssentialGraph(const CharacterInputs& work, const StepContext& context,
+                                                    NodeIndex nodeCount);
+
 /// \param unit  of costs.
 Result costOverviewResult(CostOverview overview, const std::string& unit);
 CostOverview costOverviewOf(const Result& result);
