@@ -56,11 +56,6 @@ void AppearancePage::setCharacter(const QString& character)
                   QStringLiteral("character"), std::move(after));
 }
 
-void AppearancePage::select()
-{
-    context().selection.select({Section::Appearances, entryName()});
-}
-
 void AppearancePage::retranslate()
 {
     EntryPage::retranslate();

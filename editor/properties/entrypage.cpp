@@ -60,4 +60,9 @@ void EntryPage::retranslate()
         m_open->setText(tr("Work on it"));
 }
 
+void EntryPage::select()
+{
+    m_context.selection.select({m_subject.section, m_name});
+}
+
 } // namespace quadrille

@@ -42,8 +42,8 @@ protected:
     /// \return the character that the entry is of.
     virtual QString character() const = 0;
     virtual void setCharacter(const QString& character) = 0;
-    /// Makes the entry the one that its workspace works on.
-    virtual void select() = 0;
+    /// Makes the entry the one that its workspace works on: by default, selects it.
+    virtual void select();
 
 private:
     EditorContext& m_context;

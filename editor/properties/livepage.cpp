@@ -121,11 +121,6 @@ void LivePage::setCharacter(const QString& /*character*/)
     show(entryName());
 }
 
-void LivePage::select()
-{
-    context().selection.select({Section::Lives, entryName()});
-}
-
 void LivePage::retranslate()
 {
     EntryPage::retranslate();

@@ -21,7 +21,6 @@ public:
 private:
     QString character() const override;
     void setCharacter(const QString& character) override;
-    void select() override;
     void retranslate() override;
 
     void addBeginning();

@@ -290,11 +290,6 @@ void MotionSpacePage::setCharacter(const QString& character)
          });
 }
 
-void MotionSpacePage::select()
-{
-    context().selection.select({Section::MotionSpaces, entryName()});
-}
-
 void MotionSpacePage::edit(const QString& text, const char* property, const Change& change)
 {
     MotionSpaceEntry after = entry();

@@ -33,7 +33,6 @@ private:
 
     QString character() const override;
     void setCharacter(const QString& character) override;
-    void select() override;
     void retranslate() override;
 
     void addTakes();

@@ -71,11 +71,6 @@ void TransferPage::setCharacter(const QString& character)
     }
 }
 
-void TransferPage::select()
-{
-    context().selection.select({Section::Transfers, entryName()});
-}
-
 void TransferPage::retranslate()
 {
     EntryPage::retranslate();

@@ -42,11 +42,6 @@ void VariationPage::setCharacter(const QString& character)
                  QStringLiteral("character"), std::move(after));
 }
 
-void VariationPage::select()
-{
-    context().selection.select({Section::Variations, entryName()});
-}
-
 void VariationPage::show(const QString& name)
 {
     EntryPage::show(name);

@@ -20,7 +20,6 @@ public:
 private:
     QString character() const override;
     void setCharacter(const QString& character) override;
-    void select() override;
     QLabel* m_takes = nullptr;
     QLabel* m_samples = nullptr;
 };
