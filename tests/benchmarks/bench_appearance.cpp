@@ -206,9 +206,63 @@ void findFlowByOpenCv(benchmark::State& state)
     });
 }
 
+/// Where each texel of a chart is looked up: some texels off, as warps lead there.
+Vec2f displacementAt(int x, int y, int size)
+{
+    const double turn = 20.0 / size;
+    return {static_cast<float>(2.3 * std::sin(turn * y)), static_cast<float>(1.7 * std::cos(turn * x))};
+}
+
+/// Three values of each used texel, cubic within charts.
+void lookUp(benchmark::State& state)
+{
+    const auto size = static_cast<int>(state.range(0));
+    const ChartLookup charts(usedTexels(layout(4, 25), size, size));
+    const auto texels = static_cast<std::size_t>(charts.count());
+    Random random(1);
+    std::vector<float> values(3 * texels + 1);
+    for (float& value : values)
+        value = static_cast<float>(random.between(0, 255));
+    std::vector<Vec2f> field(texels);
+    for (std::size_t k = 0; k < texels; ++k)
+        field[k] = displacementAt(charts.place(k)[0], charts.place(k)[1], size);
+    charts.keepInside(field);
+    std::vector<float> looked(3 * texels + 1);
+    for (auto _ : state) {
+        charts.sample(values, field, looked);
+        benchmark::DoNotOptimize(looked.data());
+    }
+    state.SetItemsProcessed(state.iterations() * charts.count());
+}
+
+/// Those of a whole picture, whatever belongs together.
+void lookUpByOpenCv(benchmark::State& state)
+{
+    const auto size = static_cast<int>(state.range(0));
+    cv::Mat values(size, size, CV_32FC3);
+    cv::randu(values, 0, 255);
+    cv::Mat places(size, size, CV_32FC2);
+    for (int y = 0; y < size; ++y) {
+        for (int x = 0; x < size; ++x) {
+            const Vec2f off = displacementAt(x, y, size);
+            places.at<cv::Vec2f>(y, x) = {static_cast<float>(x) + off.x(), static_cast<float>(y) + off.y()};
+        }
+    }
+    cv::Mat looked;
+    cv::setNumThreads(1);
+    for (auto _ : state) {
+        cv::remap(values, looked, places, cv::noArray(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+        benchmark::DoNotOptimize(looked.data);
+    }
+    state.SetItemsProcessed(state.iterations() * size * size);
+}
+
 } // namespace
 
 BENCHMARK(findUsedTexels)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);
+// Texels a second.
+BENCHMARK(lookUp)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(lookUpByOpenCv)->Arg(1024)->Unit(benchmark::kMillisecond);
 // Fifty textures of which a third is used, and two hundred that are used throughout.
 BENCHMARK(takeComponents)
     ->Args({50, 1 << 20})

@@ -52,6 +52,24 @@ BENCHMARK(allPairs)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+/// By some of the triangles, beside all of them.
+void someTriangles(benchmark::State& state)
+{
+    const CharacterFrames& frames = figure(1000);
+    PoseDistanceSettings settings;
+    if (state.range(0) > 0)
+        settings.triangles = state.range(0);
+    tbb::task_arena arena(1);
+    for (auto _ : state)
+        arena.execute([&] { benchmark::DoNotOptimize(poseDistances(frames, settings).distances.data()); });
+}
+BENCHMARK(someTriangles)
+    ->ArgName("triangles")
+    ->Arg(0)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
 /// Both metrics and the trace of covariances; by one pass over all pairs or by one for each.
 void allTables(benchmark::State& state)
 {
