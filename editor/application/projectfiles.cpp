@@ -75,6 +75,7 @@ bool ProjectFiles::isProject(const QString& file)
 
 bool ProjectFiles::mayClose()
 {
+    m_document.settle();
     if (!m_document.isModified())
         return true;
     const auto answer = QMessageBox::question(

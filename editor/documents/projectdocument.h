@@ -90,6 +90,9 @@ public:
     void load(const std::filesystem::path& file);
     /// Shows a value in the place of `file`, as recovered after a crash: modified from the start.
     void recover(Project project, const std::filesystem::path& file);
+    /// Before users are asked whether edits are to be saved: what they are in the middle of, as a recording,
+    /// becomes an edit now.
+    void settle() { emit settling(); }
     /// Writes the project to its file.
     /// \throws Error as saveProject; the file on disk and the document stay as they were then. \pre It has
     /// one.
@@ -99,6 +102,8 @@ public:
     void saveAs(const std::filesystem::path& file);
 
 signals:
+    /// See settle().
+    void settling();
     /// An entry has another name, before `changed` says so: whoever keeps something under a name keeps it
     /// under the new one from now on. Nothing is shown anew yet.
     void renamed(const quadrille::ChangeEvent& event);

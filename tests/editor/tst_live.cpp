@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Motion spaces that are steered live: by keys, sliders and a gamepad; rewound, recorded, played again.
+#include "editor/application/projectfiles.h"
 #include "editor/commands/changeproject.h"
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/live/gamepad.h"
@@ -13,10 +14,12 @@
 #include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
-#include <QCloseEvent>
 #include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTimer>
 #include <QTreeWidget>
 #include <SDL2/SDL.h>
 
@@ -215,11 +218,26 @@ private slots:
         play(10);
         QVERIFY(m_window->isWindowModified());
         document().undoStack()->setClean();
-        QCloseEvent close;
-        QCoreApplication::sendEvent(&workspace(), &close); // that of the window alone counts
-        QVERIFY(session().isRecording());
         session().restart();
         QVERIFY(!session().isRecording());
+        // Where another project is to be opened, it is an edit that one may save before.
+        session().startRecording();
+        session().pause();
+        play(10);
+        document().undoStack()->setClean();
+        QVERIFY(!m_window->isWindowModified());
+        bool isAsked = false;
+        QTimer::singleShot(0, this, [&] {
+            auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            isAsked = question != nullptr;
+            if (isAsked)
+                question->button(QMessageBox::Cancel)->click();
+        });
+        QVERIFY(!m_window->files().mayClose());
+        QVERIFY(isAsked);
+        QVERIFY(!session().isRecording());
+        QCOMPARE(document().project().lives.size(), std::size_t{2});
+        QCOMPARE(document().project().lives.back().ticks, std::int64_t{10});
         // Another project has nothing of it.
         session().startRecording();
         play(10);

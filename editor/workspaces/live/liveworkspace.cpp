@@ -107,6 +107,7 @@ void LiveWorkspace::connectSession()
     });
     connect(m_session, &LiveSession::decided, this, &LiveWorkspace::showTimeline);
     connect(m_paths, &LivePaths::beginning, this, &LiveWorkspace::finishRecording);
+    connect(&m_context.document, &ProjectDocument::settling, this, &LiveWorkspace::finishRecording);
     connect(m_paths, &LivePaths::failed, this, [this](const Error& error) {
         const ErrorText text = describe(error);
         m_help.clear();
@@ -182,9 +183,7 @@ QString LiveWorkspace::character() const
 void LiveWorkspace::setActive(bool active)
 {
     m_isActive = active;
-    if (active)
-        window()->installEventFilter(this); // once, however often
-    else
+    if (!active)
         m_session->pause();
     follow();
     followRunning();
@@ -271,13 +270,6 @@ void LiveWorkspace::followRunning()
     if (m_session->isRunning())
         m_view->message().clear();
     showTimeline();
-}
-
-bool LiveWorkspace::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::Close && watched == window())
-        finishRecording();
-    return Workspace::eventFilter(watched, event);
 }
 
 QImage LiveWorkspace::pictureOf(const QString& space)

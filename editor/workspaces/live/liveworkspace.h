@@ -36,10 +36,6 @@ public:
     /// What the figure is called in the view.
     static QString figureName();
 
-protected:
-    /// What is being recorded is kept when the window is closed.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 signals:
     /// The user wants a performance in files: "live/NAME".
     void exportRequested(const QString& clip);
