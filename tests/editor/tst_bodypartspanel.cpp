@@ -122,6 +122,30 @@ private slots:
         QVERIFY(said("bodyPartsProblem").contains("part"));
     }
 
+    void aPartTakesAnotherCurveByItsForm()
+    {
+        drawOnArm(0.35F);
+        run("variations.parts.add");
+        drawOnArm(0.6F);
+        run("variations.parts.add");
+        tool().select({PartSelection::Kind::Part, "part"});
+        auto* second = test::find<QComboBox>("partSecondCurve");
+        QTRY_VERIFY(second->isVisible());
+        const std::vector<std::string> curves = findPart(body(), "part")->part.curves;
+        const std::string other = findPart(body(), "part 2")->part.curves.front();
+        QCOMPARE(second->currentText(), QString::fromStdString(curves[1]));
+        QCOMPARE(second->count(), static_cast<int>(body().curves.size()));
+        const Project before = document().project();
+        second->setFocus();
+        QTest::keyClicks(second, QString::fromStdString(other));
+        QCOMPARE(findPart(body(), "part")->part.curves, (std::vector{curves[0], other}));
+        checkHistory(before);
+        tool().select({PartSelection::Kind::Curve, curves[0]});
+        QVERIFY(!second->isVisible());
+        QVERIFY(test::find<QLabel>("curvePoints")->isVisible());
+        QVERIFY(test::find<QLabel>("curveLength")->text().contains("cm"));
+    }
+
     void theShownPoseIsTaken()
     {
         m_window->variations().player().goTo(2);
@@ -269,7 +293,7 @@ private slots:
         while (point.curve + 1 < static_cast<int>(editor.curves().size()) && isNotSeen())
             ++point.curve;
         QVERIFY(editor.isSeen(point));
-        const QPointF from = *editor.pixelOf(point);
+        QPointF from = *editor.pixelOf(point);
         const auto timed = [&](const char* what, Qt::MouseButtons buttons) {
             std::vector<double> costs;
             for (int step = 1; step <= 24; ++step) {
@@ -287,6 +311,7 @@ private slots:
                   costs.back());
         };
         timed("pointing", Qt::NoButton);
+        from = *editor.pixelOf(point); // the view may have moved as the figure came
         QTest::mousePress(viewport().view(), Qt::LeftButton, {}, from.toPoint());
         QVERIFY(editor.isDragging());
         timed("dragging a point", Qt::LeftButton);
