@@ -119,7 +119,7 @@ void GraphResults::open(const QString& character, Item& item)
          .background = !item.isWanted},
         [working = document().working(), character, opening](const Progress& progress, const Post& post) {
             return openCharacter(working, character.toStdString(), opening, progress,
-                                 [&post](std::shared_ptr<const CostOverview> overview) {
+                                 [&post](const std::shared_ptr<const CostOverview>& overview) {
                                      post([overview](const QString&, ResultState& state) {
                                          // It may come after the end of the work.
                                          if (state.phase == ResultPhase::Computing)

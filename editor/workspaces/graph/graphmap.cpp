@@ -270,6 +270,7 @@ void GraphMap::showOverview(std::shared_ptr<const CostOverview> overview, const 
         return;
     }
     std::vector<widgets::MatrixBlock> blocks;
+    blocks.reserve(static_cast<std::size_t>(m_overview->layout.sequenceCount()));
     for (int s = 0; s < m_overview->layout.sequenceCount(); ++s)
         blocks.push_back({sequences.value(s), m_overview->layout.countOf(s)});
     const widgets::MatrixOverview known{

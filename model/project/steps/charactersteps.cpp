@@ -98,6 +98,15 @@ const DataArray& arrayOf(const Result& result, const std::string& name)
     return *found;
 }
 
+std::vector<std::int64_t> lengthsOf(const FrameLayout& layout)
+{
+    std::vector<std::int64_t> lengths;
+    lengths.reserve(static_cast<std::size_t>(layout.sequenceCount()));
+    for (int s = 0; s < layout.sequenceCount(); ++s)
+        lengths.push_back(layout.countOf(s));
+    return lengths;
+}
+
 FrameLayout layoutOf(const Result& distances)
 {
     return FrameLayout(std::get<std::vector<std::int64_t>>(arrayOf(distances, "sequence-lengths").values));

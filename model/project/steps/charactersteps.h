@@ -96,6 +96,8 @@ Table<Value> tableOf(const DataArray& array)
     return sharedTableOf<float>(array)->template cast<Value>();
 }
 
+/// Frames of each sequence of a layout, in the order of the project.
+std::vector<std::int64_t> lengthsOf(const FrameLayout& layout);
 /// \param distances  the result of the step of pose distances.
 FrameLayout layoutOf(const Result& distances);
 /// The largest of these distances; 0 where there are none.

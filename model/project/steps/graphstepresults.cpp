@@ -139,16 +139,13 @@ std::shared_ptr<const Digraph> storedEssentialGraph(const CharacterInputs& work,
 
 Result costOverviewResult(CostOverview overview, const std::string& unit)
 {
-    std::vector<std::int64_t> lengths;
-    for (int s = 0; s < overview.layout.sequenceCount(); ++s)
-        lengths.push_back(overview.layout.countOf(s));
     Result result;
     result.arrays = {
         matrixOf("cost-overview", "Least cost of a transition in each square of so many frames.", unit,
                  std::move(overview.least)),
         columnOf("cost-overview-frames", "frame", std::vector<std::int64_t>{overview.framesOfCell}),
         columnOf("cost-overview-range", unit, std::vector{overview.range.minimum, overview.range.maximum}),
-        columnOf("cost-overview-sequences", "frame", std::move(lengths))};
+        columnOf("cost-overview-sequences", "frame", lengthsOf(overview.layout))};
     result.arrays[1].description = "Frames along a side of each square.";
     result.arrays[2].description = "The least cost, and one that nine tenths of all stay below.";
     result.arrays[3].description = "Frames of each sequence, in the order of the project.";

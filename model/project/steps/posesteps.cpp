@@ -19,11 +19,7 @@ namespace {
 /// What the steps that follow need to know of the frames.
 void addLayout(Result& result, const PoseDistances& distances)
 {
-    std::vector<std::int64_t> lengths;
-    lengths.reserve(static_cast<std::size_t>(distances.layout.sequenceCount()));
-    for (int s = 0; s < distances.layout.sequenceCount(); ++s)
-        lengths.push_back(distances.layout.countOf(s));
-    result.arrays.push_back(columnOf("sequence-lengths", "frame", std::move(lengths)));
+    result.arrays.push_back(columnOf("sequence-lengths", "frame", lengthsOf(distances.layout)));
     result.arrays.back().description = "Frames of each sequence, in the order of the project.";
     result.arrays.push_back(
         columnOf("triangles", "", std::vector{distances.trianglesUsed, distances.trianglesLeftOut}));
