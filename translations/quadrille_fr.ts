@@ -402,8 +402,8 @@
         <translation>À quel point les distances interpolées entre prises s’écartent des vraies (IA4D, table 3)</translation>
     </message>
     <message>
-        <source>Distance from non-linear blends</source>
-        <translation>Écart aux mélanges non linéaires</translation>
+        <source>Mean distance from non-linear blends</source>
+        <translation>Écart moyen aux mélanges non linéaires</translation>
     </message>
     <message>
         <source>References</source>
@@ -430,12 +430,16 @@
         <translation>Dissemblance des poses, de 0 à 1000</translation>
     </message>
     <message>
-        <source>Error of interpolated distances, share of their range</source>
-        <translation>Erreur des distances interpolées, part de leur étendue</translation>
+        <source>Mean error of interpolated distances, share of their range</source>
+        <translation>Erreur moyenne des distances interpolées, part de leur étendue</translation>
     </message>
     <message>
         <source>Halvings</source>
         <translation>Divisions en deux</translation>
+    </message>
+    <message>
+        <source>Greatest error of interpolated distances, share of their range</source>
+        <translation>Plus grande erreur des distances interpolées, part de leur étendue</translation>
     </message>
 </context>
 <context>
