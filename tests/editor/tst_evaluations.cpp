@@ -74,6 +74,14 @@ private:
         QCOMPARE(addEvaluation(context().document, entry), QLatin1String(name));
     }
 
+    static std::vector<EvaluationChart> chartsOfTable(const std::string& name, TableBuilder table)
+    {
+        DataItem item;
+        item.name = "evaluation/" + name;
+        item.content = std::move(table).table();
+        return chartsOf(name, {item}, UpAxis::Y);
+    }
+
 private slots:
     void oneIsAddedComputedSeenSavedAndTakenBack()
     {
@@ -222,10 +230,7 @@ private slots:
         table.real("image_ssim").real("image_ssim_naive");
         table.add({std::int64_t{1}, 0.5, 0.4, 0.7, 0.6});
         table.add({std::int64_t{9}, 0.8, 1.0, 0.9, 1.0});
-        DataItem item;
-        item.name = "evaluation/fig17";
-        item.content = std::move(table).table();
-        const std::vector<EvaluationChart> charts = chartsOf("fig17", {item}, UpAxis::Y);
+        const std::vector<EvaluationChart> charts = chartsOfTable("fig17", std::move(table));
         QCOMPARE(charts.size(), 1U);
         const auto& lines = std::get<EvaluationChart::Lines>(charts[0].content);
         QCOMPARE(lines.series.size(), 4U);
@@ -244,10 +249,7 @@ private slots:
         table.add({"walking", "jumping", "online", 3.0, 163.0, 0.4, 0.3, 0.8, 1.1, std::int64_t{0}});
         table.add(
             {"walking", "jumping", "10 computed before", 9.0, 31.0, 1.1, 1.0, 1.7, 2.0, std::int64_t{4}});
-        DataItem item;
-        item.name = "evaluation/ia4d-table2";
-        item.content = std::move(table).table();
-        const std::vector<EvaluationChart> charts = chartsOf("ia4d-table2", {item}, UpAxis::Y);
+        const std::vector<EvaluationChart> charts = chartsOfTable("ia4d-table2", std::move(table));
         QCOMPARE(charts.size(), 2U);
         const auto& latency = std::get<EvaluationChart::Bars>(charts[0].content);
         QCOMPARE(latency.categories, (QStringList{"walking · jumping · found while playing",
