@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/results/opencharacter.h"
 
-#include "model/core/freememory.h"
-
 #include <algorithm>
 
 namespace quadrille {
@@ -28,14 +26,14 @@ std::shared_ptr<const OpenedCharacter> openCharacter(const ProjectResults& resul
         return nullptr;
     constexpr double computing = 0.9;
     std::vector<std::string> inputs = CharacterGraph::inputs(work);
-    const std::string first = work.stepName(graphstep::overview);
     if (overview) {
+        const std::string first = work.stepName(graphstep::overview);
         if (const ResultPointer stored = results.stored(first, Progress(progress.token())))
             overview(std::make_shared<const CostOverview>(costOverviewOf(*stored)));
+        // Results of older versions need not have it.
+        if (opening == GraphOpening::Compute)
+            inputs.push_back(first);
     }
-    // Those who read graphs of older versions need not have it.
-    if (opening == GraphOpening::Compute)
-        inputs.push_back(first);
     try {
         const std::optional<FreshResults> fresh =
             opening == GraphOpening::IfFresh ? results.getIfFresh(inputs, progress.part(0, computing))
@@ -43,10 +41,8 @@ std::shared_ptr<const OpenedCharacter> openCharacter(const ProjectResults& resul
         if (!fresh)
             return nullptr;
         CharacterFrames frames = work.open(progress.part(computing, 1));
-        std::shared_ptr<const OpenedCharacter> opened(
+        return std::shared_ptr<const OpenedCharacter>(
             new OpenedCharacter{std::move(frames), CharacterGraph(work, fresh->context())});
-        returnFreeMemory();
-        return opened;
     } catch (const Error& error) {
         if (error.code() != ErrorCode::ResultReplaced)
             throw;

@@ -28,9 +28,10 @@ enum class GraphOpening
 using OverviewTaker = std::function<void(std::shared_ptr<const CostOverview>)>;
 
 /// Opens the graph of a character from the results of a project.
-/// \param overview  is called first, from this thread, where the store has one that is up to date.
-/// \return null where there are no sequences, or results are missing that were not to be computed.
-/// \throws Error of the step that failed, of opening sequences, Cancelled.
+/// \param overview  is called first, from this thread, where the store has one that is up to date; with it,
+/// an overview is brought up to date as well. May be empty. \return null where there are no sequences, or
+/// results are missing that were not to be computed. \throws Error of the step that failed, of opening
+/// sequences, Cancelled.
 std::shared_ptr<const OpenedCharacter> openCharacter(WorkingProject working, const std::string& character,
                                                      GraphOpening opening, const Progress& progress = {},
                                                      const OverviewTaker& overview = {});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/charactergraph.h"
 
+#include "model/core/freememory.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/synthesis/clips/stepcosts.h"
 
@@ -91,8 +92,11 @@ CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& c
     const ProjectSettings& settings = work.opener->project().settings;
     const std::string others =
         nlohmann::json({costSettings(work.graph), settings.fps, static_cast<int>(settings.axes.up)}).dump();
-    m_tables = context.shared<const Tables>(steps, others,
-                                            [&] { return std::make_shared<const Tables>(work, context); });
+    m_tables = context.shared<const Tables>(steps, others, [&] {
+        auto tables = std::make_shared<const Tables>(work, context);
+        returnFreeMemory(); // of the results that they were made from
+        return tables;
+    });
     m_graph = storedEssentialGraph(work, context, m_tables->layout.frameCount());
 }
 
