@@ -33,12 +33,10 @@ struct PairBlock
     alignas(64) double rows[windowLanes];    ///< of the source window that has it
     alignas(64) double columns[windowLanes]; ///< of the destination window that has it
 
-    [[gnu::always_inline]] inline void loadKeys(int row, int column, double* keys) const
+    [[gnu::always_inline]] inline Lanes keysAt(int row, int column) const
     {
         const double* from = search.keys + row * search.stride + frame - search.longest + 1 + column;
-#pragma omp simd
-        for (int l = 0; l < windowLanes; ++l)
-            keys[l] = factor[l] * from[l] + offset[l];
+        return Lanes::load(factor) * Lanes::load(from) + Lanes::load(offset);
     }
 
     /// The least keys of a column.
@@ -99,7 +97,7 @@ template <int Slope>
         double* rest = block.bounds + std::ptrdiff_t{c} * windowLanes;
 #pragma omp simd
         for (int l = 0; l < windowLanes; ++l) {
-            rest[l] = beyond[l] + Slope * lesser(least[l], 0);
+            rest[l] = beyond[l] + Slope * lesser(least[l], 0.0);
             beyond[l] = rest[l] + least[l];
         }
     }
@@ -116,8 +114,8 @@ template <int Slope>
         double* rest = block.bounds + std::ptrdiff_t{c} * windowLanes;
 #pragma omp simd
         for (int l = 0; l < windowLanes; ++l) {
-            rest[l] = beyond[l] + Slope * lesser(least[l], 0);
-            beyond[l] = lesser(rest[l] + least[l], 0);
+            rest[l] = beyond[l] + Slope * lesser(least[l], 0.0);
+            beyond[l] = lesser(rest[l] + least[l], 0.0);
         }
     }
 }
@@ -129,23 +127,19 @@ template <int Slope>
     const int width = block.search.longest;
     clear<Slope>(block);
     setBoundsOfEnds<Slope>(block);
-    alignas(64) double keys[windowLanes];
     block.first = block.firstColumn;
     block.last = width - 1;
     for (int row = 0; row < block.search.rows && block.first <= block.last; ++row) {
         WarpRow<Slope> state;
-        state.begin();
         // Paths from the columns before do not reach the last one.
         block.first = std::max(block.first, width - 1 - reachOf<Slope>(block.search.rows - 1 - row));
         if (block.first > block.firstColumn)
-            std::copy_n(block.cells + (block.first - 1) * WarpCell<Slope>::size, windowLanes, state.diagonal);
+            state.diagonal = Lanes::load(block.cells + (block.first - 1) * WarpCell<Slope>::size);
         int c = block.first;
         for (; c < width && (c <= block.last + 1 || block.isAlive<Slope>(c - 1)); ++c) {
             if (row == 0)
-                std::fill_n(state.diagonal, windowLanes,
-                            c <= width - block.search.shortest ? 0.0 : CostGrid::outOfReach);
-            block.loadKeys(row, c, keys);
-            state.step(keys, block.cells + c * WarpCell<Slope>::size);
+                state.diagonal = Lanes::all(c <= width - block.search.shortest ? 0 : CostGrid::outOfReach);
+            state.step(block.keysAt(row, c), block.cells + c * WarpCell<Slope>::size);
         }
         block.last = c - 1;
         if (row + 1 >= block.search.shortest) {
@@ -170,26 +164,25 @@ template <int Slope>
     const int firstStart = std::max(block.firstColumn, width - longest);
     clear<Slope>(block);
     setBoundsOfStarts<Slope>(block);
-    alignas(64) double keys[windowLanes];
     const int lastRow = static_cast<int>(*std::max_element(block.rows, block.rows + windowLanes)) - 1;
     block.first = width;
     block.last = width - 1;
     for (int row = lastRow; row >= 0; --row) {
         WarpRow<Slope> state;
-        state.begin();
         bool isEnd = false;
         for (const auto rows : std::span(block.rows, windowLanes))
             isEnd |= rows == row + 1;
         if (isEnd) {
             block.last = width - 1;
+            double starts[windowLanes];
             for (int l = 0; l < windowLanes; ++l)
-                state.diagonal[l] = block.rows[l] == row + 1 ? 0 : CostGrid::outOfReach;
+                starts[l] = block.rows[l] == row + 1 ? 0 : CostGrid::outOfReach;
+            state.diagonal = Lanes::load(starts);
         }
         const int first = std::max(firstStart, width - 1 - reachOf<Slope>(lastRow - row));
         int c = block.last;
         for (; c >= first && (c >= block.first - 1 || block.isAlive<Slope>(c + 1)); --c) {
-            block.loadKeys(row, c, keys);
-            state.step(keys, block.cells + c * WarpCell<Slope>::size);
+            state.step(block.keysAt(row, c), block.cells + c * WarpCell<Slope>::size);
         }
         block.first = c + 1;
         if (row > 0)

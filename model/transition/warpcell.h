@@ -9,14 +9,58 @@
 
 namespace quadrille {
 
-/// A minimum that becomes one instruction.
-[[gnu::always_inline]] inline double lesser(double a, double b)
+/// A minimum that becomes one instruction, where numbers are known to be finite.
+template <typename T>
+[[gnu::always_inline]] inline T lesser(T a, T b)
 {
     return a < b ? a : b;
 }
 
-/// What a cell of the dynamic programme hands to the row below it: least sums of the paths that end in it, a
-/// vector of windowLanes each.
+/// A number for each of the destination frames that are computed together. It stays in registers: two vectors
+/// of a width that most machines have, as the compiler takes wider ones apart number by number where it does
+/// not know them.
+struct Lanes
+{
+    using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
+    static_assert(windowLanes == 8);
+
+    Four low;
+    Four high;
+
+    [[gnu::always_inline]] static inline Lanes load(const double* from)
+    {
+        return {*reinterpret_cast<const Four*>(from), *reinterpret_cast<const Four*>(from + 4)};
+    }
+    /// The same number everywhere.
+    [[gnu::always_inline]] static inline Lanes all(double value)
+    {
+        const Four four{value, value, value, value};
+        return {four, four};
+    }
+    [[gnu::always_inline]] inline void store(double* to) const
+    {
+        *reinterpret_cast<Four*>(to) = low;
+        *reinterpret_cast<Four*>(to + 4) = high;
+    }
+};
+
+[[gnu::always_inline]] inline Lanes operator+(const Lanes& a, const Lanes& b)
+{
+    return {a.low + b.low, a.high + b.high};
+}
+
+[[gnu::always_inline]] inline Lanes operator*(const Lanes& a, const Lanes& b)
+{
+    return {a.low * b.low, a.high * b.high};
+}
+
+[[gnu::always_inline]] inline Lanes lesser(const Lanes& a, const Lanes& b)
+{
+    return {a.low < b.low ? a.low : b.low, a.high < b.high ? a.high : b.high};
+}
+
+/// What a cell of the dynamic programme hands to the row below it: least sums of the paths that end in it,
+/// Lanes each.
 template <int Slope>
 struct WarpCell
 {
@@ -31,53 +75,46 @@ struct WarpCell
 template <int Slope>
 struct WarpRow
 {
-    alignas(64) double diagonal[windowLanes];            ///< `all` of the cell above the last one
-    alignas(64) double notRight[windowLanes];            ///< of the last cell
-    alignas(64) double right[(Slope - 1) * windowLanes]; ///< of the last cell, after 1, 2, … steps
+    Lanes diagonal = Lanes::all(CostGrid::outOfReach); ///< `all` of the cell above the last one
+    Lanes notRight = Lanes::all(CostGrid::outOfReach); ///< of the last cell
+    Lanes right[Slope - 1];                            ///< of the last cell, after 1, 2, … steps
 
-    [[gnu::always_inline]] inline void begin()
+    [[gnu::always_inline]] inline WarpRow()
     {
-        std::fill_n(diagonal, windowLanes, CostGrid::outOfReach);
-        std::fill_n(notRight, windowLanes, CostGrid::outOfReach);
-        std::fill_n(right, (Slope - 1) * windowLanes, CostGrid::outOfReach);
+        std::fill_n(right, Slope - 1, Lanes::all(CostGrid::outOfReach));
     }
 
     /// The first cell of paths. \param cell  out of reach so far.
-    [[gnu::always_inline]] inline void start(const double* key, double* cell)
+    [[gnu::always_inline]] inline void start(const Lanes& key, double* cell)
     {
-        std::copy_n(key, windowLanes, cell + WarpCell<Slope>::all);
-        std::copy_n(key, windowLanes, cell + WarpCell<Slope>::notDown);
-        std::copy_n(key, windowLanes, notRight);
+        key.store(cell + WarpCell<Slope>::all);
+        key.store(cell + WarpCell<Slope>::notDown);
+        notRight = key;
     }
 
     /// Goes to the next cell. \param cell  that of the row above, becomes that of this row.
-    [[gnu::always_inline]] inline void step(const double* key, double* cell)
+    [[gnu::always_inline]] inline void step(const Lanes& key, double* cell)
     {
-#pragma omp simd
-        for (int l = 0; l < windowLanes; ++l) {
-            const double here = key[l];
-            const double straight = diagonal[l] + here;
-            diagonal[l] = cell[WarpCell<Slope>::all + l];
-            double downs = cell[WarpCell<Slope>::notDown + l] + here;
-            double rights = notRight[l] + here;
-            double previousDown = downs;
-            double previousRight = rights;
-            for (int s = 0; s < Slope - 1; ++s) {
-                double& down = cell[WarpCell<Slope>::down + s * windowLanes + l];
-                const double oneDown = down + here;
-                down = previousDown;
-                previousDown = oneDown;
-                downs = lesser(downs, oneDown);
-                double& more = right[s * windowLanes + l];
-                const double oneRight = more + here;
-                more = previousRight;
-                previousRight = oneRight;
-                rights = lesser(rights, oneRight);
-            }
-            notRight[l] = lesser(straight, downs);
-            cell[WarpCell<Slope>::notDown + l] = lesser(straight, rights);
-            cell[WarpCell<Slope>::all + l] = lesser(notRight[l], rights);
+        const Lanes straight = diagonal + key;
+        diagonal = Lanes::load(cell + WarpCell<Slope>::all);
+        Lanes downs = Lanes::load(cell + WarpCell<Slope>::notDown) + key;
+        Lanes rights = notRight + key;
+        Lanes previousDown = downs;
+        Lanes previousRight = rights;
+        for (int s = 0; s < Slope - 1; ++s) {
+            double* const down = cell + WarpCell<Slope>::down + s * windowLanes;
+            const Lanes oneDown = Lanes::load(down) + key;
+            previousDown.store(down);
+            previousDown = oneDown;
+            downs = lesser(downs, oneDown);
+            const Lanes oneRight = right[s] + key;
+            right[s] = previousRight;
+            previousRight = oneRight;
+            rights = lesser(rights, oneRight);
         }
+        notRight = lesser(straight, downs);
+        lesser(straight, rights).store(cell + WarpCell<Slope>::notDown);
+        lesser(notRight, rights).store(cell + WarpCell<Slope>::all);
     }
 };
 

@@ -91,17 +91,16 @@ template <int Slope>
 [[gnu::always_inline]] inline void advance(Block<Slope>& block, int row)
 {
     WarpRow<Slope> state;
-    state.begin();
     int c = block.first;
     if (row == 0) {
-        state.start(block.keysAt(0, 0), block.cellAt(0));
+        state.start(Lanes::load(block.keysAt(0, 0)), block.cellAt(0));
         c = 1;
     }
     const int reached = row == 0 ? 0 : block.last + 1;
     for (; c < block.width; ++c) {
         if (c > reached && !anyNotAbove(block.cellAt(c - 1), block.bounds + block.start + c - 1))
             break;
-        state.step(block.keysAt(row, c), block.cellAt(c));
+        state.step(Lanes::load(block.keysAt(row, c)), block.cellAt(c));
     }
     block.last = c - 1;
 }

@@ -253,7 +253,7 @@ void FootFollower::closeGaps(std::uint32_t bit)
 double FootFollower::driftOf(std::size_t foot) const
 {
     const auto stands = [&](std::size_t t) { return (m_steps[t].standing >> foot & 1U) != 0; };
-    double greatest = 0;
+    double greatest = 0; // squared
     for (std::size_t first = 0; first < m_steps.size(); ++first) {
         if (!stands(first))
             continue;
@@ -273,10 +273,10 @@ double FootFollower::driftOf(std::size_t foot) const
         }
         mean /= sum;
         for (std::size_t t = first; t <= last; ++t)
-            greatest = std::max(greatest, (m_places[t] - mean).norm());
+            greatest = std::max(greatest, (m_places[t] - mean).squaredNorm());
         first = last;
     }
-    return greatest;
+    return std::sqrt(greatest);
 }
 
 double FootFollower::drift(NodeIndex i, NodeIndex j, int length, int sourceWindow, int destinationWindow)
