@@ -13,7 +13,7 @@ namespace quadrille {
 namespace {
 
 /// The values of all pairs, each once.
-std::vector<double> pairsOf(const Table<float>& table)
+std::vector<double> pairsOf(TableView<float> table)
 {
     std::vector<double> pairs;
     pairs.reserve(static_cast<std::size_t>(table.size()) / 2);
@@ -31,8 +31,8 @@ double sumOfSquares(const std::vector<double>& values)
 
 } // namespace
 
-MetricComparison compareMetrics(const JointAngles& angles, const Table<float>& euclidean,
-                                const Table<float>& surface, const Progress& progress)
+MetricComparison compareMetrics(const JointAngles& angles, TableView<float> euclidean,
+                                TableView<float> surface, const Progress& progress)
 {
     assert(euclidean.rows() == angles.frameCount && surface.rows() == angles.frameCount);
     const std::vector<double> byVertices = pairsOf(euclidean);

@@ -47,7 +47,7 @@ struct MetricComparison
 /// §3.1, Table 1).
 /// \param euclidean, surface  frames × frames, of the frames of `angles`.
 /// \throws Error Cancelled. Cost: O(frames² · (joints + log frames)).
-MetricComparison compareMetrics(const JointAngles& angles, const Table<float>& euclidean,
-                                const Table<float>& surface, const Progress& progress = {});
+MetricComparison compareMetrics(const JointAngles& angles, TableView<float> euclidean,
+                                TableView<float> surface, const Progress& progress = {});
 
 } // namespace quadrille

@@ -25,7 +25,7 @@ struct Windows
 };
 
 /// Sum of the distances where both windows go on evenly.
-double evenCost(const Table<float>& distances, const Windows& windows)
+double evenCost(TableView<float> distances, const Windows& windows)
 {
     const int cells = std::max(windows.sourceLength, windows.destinationLength);
     const auto frame = [cells](int length, int cell) {
@@ -75,7 +75,7 @@ double netTurning(const MeshSequence& sequence, const Ground& ground)
     return turning;
 }
 
-Transition longBlend(const Table<float>& distances, const FrameLayout& layout,
+Transition longBlend(TableView<float> distances, const FrameLayout& layout,
                      const TransitionSettings& settings)
 {
     assert(layout.sequenceCount() == 2);

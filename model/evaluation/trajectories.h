@@ -36,7 +36,7 @@ double netTurning(const MeshSequence& sequence, const Ground& ground);
 /// shorter than those of a transition are taken where a sequence has no more.
 /// \param distances  frames × frames, of both sequences, the source first.
 /// \throws Error BadArgument from checkSettings.
-Transition longBlend(const Table<float>& distances, const FrameLayout& layout,
+Transition longBlend(TableView<float> distances, const FrameLayout& layout,
                      const TransitionSettings& settings);
 
 /// A blend of two sequences (SMCAS Fig. 11–12).

@@ -15,7 +15,7 @@ constexpr float noTransition = std::numeric_limits<float>::infinity();
 
 } // namespace
 
-CostRange costRange(const Table<float>& cost)
+CostRange costRange(TableView<float> cost)
 {
     constexpr Eigen::Index looks = 200'000;
     constexpr double shownShare = 0.9; // dearer ones look alike
@@ -33,7 +33,7 @@ CostRange costRange(const Table<float>& cost)
     return {.minimum = *std::min_element(sample.begin(), sample.end()), .maximum = *high};
 }
 
-CostOverview costOverview(const Table<float>& cost, const FrameLayout& layout, int side)
+CostOverview costOverview(TableView<float> cost, const FrameLayout& layout, int side)
 {
     const NodeIndex frames = layout.frameCount();
     CostOverview overview{.layout = layout, .framesOfCell = 1, .least = {}, .range = costRange(cost)};
@@ -45,7 +45,7 @@ CostOverview costOverview(const Table<float>& cost, const FrameLayout& layout, i
     tbb::parallel_for(NodeIndex{0}, cells, [&](NodeIndex row) {
         float* least = &overview.least(row, 0);
         for (NodeIndex i = row * each; i < std::min((row + 1) * each, frames); ++i) {
-            const float* costs = &cost(i, 0);
+            const float* costs = &cost.coeffRef(i, 0);
             for (NodeIndex column = 0; column < cells; ++column) {
                 for (NodeIndex j = column * each; j < std::min((column + 1) * each, frames); ++j)
                     least[column] = std::min(least[column], costs[j]);

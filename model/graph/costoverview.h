@@ -15,7 +15,7 @@ struct CostRange
 };
 /// From the least cost to one that nine tenths of the transitions stay below, judged by some 200,000 of them.
 /// \param cost  infinite where there is no transition. Cost: O(1) in the size of the table.
-CostRange costRange(const Table<float>& cost);
+CostRange costRange(TableView<float> cost);
 
 /// Costs of transitions as they are seen from afar.
 struct CostOverview
@@ -27,6 +27,6 @@ struct CostOverview
 };
 /// \param cost  frames × frames, infinite where there is no transition. \param side  at most so many cells
 /// along each side, at least 1. Cost: O(frames²).
-CostOverview costOverview(const Table<float>& cost, const FrameLayout& layout, int side = 1000);
+CostOverview costOverview(TableView<float> cost, const FrameLayout& layout, int side = 1000);
 
 } // namespace quadrille

@@ -19,7 +19,7 @@ std::vector<bool> maskOf(const std::vector<NodeIndex>& nodes, NodeIndex count)
 class GapFinder
 {
 public:
-    GapFinder(const Digraph& graph, const TransitionCosts& costs, const Table<float>& distances, double alpha)
+    GapFinder(const Digraph& graph, const TransitionCosts& costs, TableView<float> distances, double alpha)
         : m_graph(graph), m_costs(costs), m_distances(distances), m_alpha(alpha)
     {
     }
@@ -80,14 +80,14 @@ private:
 
     const Digraph& m_graph;
     const TransitionCosts& m_costs;
-    const Table<float>& m_distances;
+    TableView<float> m_distances;
     double m_alpha;
 };
 
 } // namespace
 
 std::vector<GraphGap> findGaps(const Digraph& graph, const Connectivity& connectivity,
-                               const TransitionCosts& costs, const Table<float>& distances, double alpha)
+                               const TransitionCosts& costs, TableView<float> distances, double alpha)
 {
     std::vector<GraphGap> gaps;
     const GapFinder finder(graph, costs, distances, alpha);

@@ -40,6 +40,6 @@ struct GraphGap
 /// \param connectivity  of the graph. \param distances  frames × frames.
 /// Cost: O(frames · frames in gaps).
 std::vector<GraphGap> findGaps(const Digraph& graph, const Connectivity& connectivity,
-                               const TransitionCosts& costs, const Table<float>& distances, double alpha);
+                               const TransitionCosts& costs, TableView<float> distances, double alpha);
 
 } // namespace quadrille

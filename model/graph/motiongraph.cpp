@@ -39,7 +39,7 @@ void forEachRowPart(const FrameLayout& layout, const Progress& progress, const H
     });
 }
 
-double meanAround(const Table<float>& cost, NodeIndex i, NodeIndex j, int reach, Range rows, Range columns)
+double meanAround(TableView<float> cost, NodeIndex i, NodeIndex j, int reach, Range rows, Range columns)
 {
     const Range near = around(i, reach, rows);
     const Range beside = around(j, reach, columns);
@@ -67,7 +67,7 @@ Table<float> smoothed(const TransitionCosts& costs, int reach, const Progress& p
     return result;
 }
 
-bool isStrictMinimum(const Table<float>& cost, NodeIndex i, NodeIndex j, Range rows, Range columns)
+bool isStrictMinimum(TableView<float> cost, NodeIndex i, NodeIndex j, Range rows, Range columns)
 {
     const Range near = around(i, 1, rows);
     const Range beside = around(j, 1, columns);
@@ -86,7 +86,7 @@ std::vector<FramePair> costMinima(const TransitionCosts& costs, CostSmoothing sm
     const int reach = smoothing == CostSmoothing::Mean5 ? 2 : 1;
     const bool isSmoothed = smoothing != CostSmoothing::None;
     const Table<float> means = isSmoothed ? smoothed(costs, reach, progress.part(0, 0.5)) : Table<float>();
-    const Table<float>& cost = isSmoothed ? means : costs.cost();
+    const TableView<float> cost = isSmoothed ? TableView<float>(means) : costs.cost();
     std::vector<std::vector<FramePair>> found(static_cast<std::size_t>(cost.rows()));
     forEachRowPart(costs.layout(), isSmoothed ? progress.part(0.5, 1) : progress,
                    [&](NodeIndex i, Range rows, Range columns) {

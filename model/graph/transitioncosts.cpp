@@ -23,7 +23,7 @@ Error refusal(const std::string& reason, const std::string& remedy)
     return Error(ErrorCode::BadArgument, {.values = {{"reason", reason}, {"remedy", remedy}}});
 }
 
-void requireCosts(const Table<float>& cost)
+void requireCosts(TableView<float> cost)
 {
     std::atomic<bool> isAnyWrong = false;
     tbb::parallel_for(Eigen::Index{0}, cost.rows(), [&](Eigen::Index i) {

@@ -34,8 +34,10 @@ public:
                     SharedTable<std::uint16_t> length);
 
     const FrameLayout& layout() const { return m_layout; }
-    const Table<float>& cost() const { return m_cost; }
-    const Table<std::uint16_t>& length() const { return *m_length; }
+    TableView<float> cost() const { return m_cost; }
+    TableView<std::uint16_t> length() const { return *m_length; }
+    /// Gives back the memory of lengths in a file until they are looked at again.
+    void unloadLengths() const { m_length.unload(); }
     double largestDistance() const { return m_largestDistance; }
     bool hasTransition(NodeIndex from, NodeIndex to) const { return m_cost(from, to) < infinite; }
     /// E(i,j) = D/d_max + α·L; `unreachable` where there is no transition. Original edges weigh α.

@@ -148,7 +148,7 @@ Table<float> accelerationDifferences(const CharacterFrames& character, double fp
     return differences;
 }
 
-double accelerationCost(const Table<float>& differences, const Transition& transition)
+double accelerationCost(TableView<float> differences, const Transition& transition)
 {
     assert(!transition.path.empty());
     double sum = 0;

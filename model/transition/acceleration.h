@@ -27,6 +27,6 @@ Table<float> accelerationDifferences(const CharacterFrames& character, double fp
 
 /// The acceleration cost of a transition: mean over the cells of its warp path, m/s² (SMCAS Fig. 7d–f).
 /// \param differences  of accelerationDifferences. \pre The path is not empty.
-double accelerationCost(const Table<float>& differences, const Transition& transition);
+double accelerationCost(TableView<float> differences, const Transition& transition);
 
 } // namespace quadrille

@@ -65,9 +65,9 @@ struct Figures
 
 struct Inputs
 {
-    const Table<float>& distances;
+    TableView<float> distances;
     const FrameLayout& layout;
-    const Table<float>& accelerations;
+    TableView<float> accelerations;
 };
 
 /// \param settings  those of the variant: windows of one length where they do not vary.
@@ -149,8 +149,8 @@ std::vector<VariantFigures> figuresOfAll(const Inputs& inputs, const TransitionS
 
 } // namespace
 
-TransitionComparison compareTransitions(const Table<float>& distances, const FrameLayout& layout,
-                                        const TransitionSettings& settings, const Table<float>& accelerations,
+TransitionComparison compareTransitions(TableView<float> distances, const FrameLayout& layout,
+                                        const TransitionSettings& settings, TableView<float> accelerations,
                                         const Progress& progress, const Executor& executor)
 {
     checkSettings(settings);

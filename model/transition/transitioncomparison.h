@@ -54,8 +54,8 @@ struct TransitionComparison
 /// kind to kind by construction; accelerations do not. \param settings  their slope is not used. \param
 /// accelerations  of accelerationDifferences; empty: they are not compared, which saves finding the paths of
 /// all transitions. \throws Error as transitionTable. Cost: O(frames² · l_max²) for each of 4 slopes.
-TransitionComparison compareTransitions(const Table<float>& distances, const FrameLayout& layout,
-                                        const TransitionSettings& settings, const Table<float>& accelerations,
+TransitionComparison compareTransitions(TableView<float> distances, const FrameLayout& layout,
+                                        const TransitionSettings& settings, TableView<float> accelerations,
                                         const Progress& progress = {},
                                         const Executor& executor = localExecutor());
 

@@ -36,7 +36,7 @@ std::vector<Rows> tasksOf(const FrameLayout& layout)
     return tasks;
 }
 
-float largestOf(const Table<float>& distances)
+float largestOf(TableView<float> distances)
 {
     return distances.size() == 0 ? 0 : distances.maxCoeff();
 }
@@ -45,7 +45,7 @@ float largestOf(const Table<float>& distances)
 class RowSearch
 {
 public:
-    RowSearch(const Table<float>& distances, const FrameLayout& layout, const TransitionSettings& settings,
+    RowSearch(TableView<float> distances, const FrameLayout& layout, const TransitionSettings& settings,
               const CostGrid& grid)
         : m_distances(distances), m_layout(layout), m_settings(settings), m_grid(grid)
     {
@@ -89,7 +89,7 @@ private:
         m_keys.assign(static_cast<std::size_t>(last - rows.first) * static_cast<std::size_t>(m_search.stride),
                       CostGrid::outOfReach);
         for (NodeIndex i = rows.first; i < last; ++i) {
-            const float* from = &m_distances(i, m_layout.firstOf(destination));
+            const float* from = &m_distances.coeffRef(i, m_layout.firstOf(destination));
             double* to = m_keys.data() + (i - rows.first) * m_search.stride + m_search.margin();
             std::transform(from, from + m_search.columns, to,
                            [grid = m_grid](float distance) { return grid.keyOf(distance); });
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    const Table<float>& m_distances;
+    TableView<float> m_distances;
     const FrameLayout& m_layout;
     const TransitionSettings& m_settings;
     CostGrid m_grid;
@@ -124,28 +124,45 @@ private:
     std::vector<double> m_keys; ///< of some rows against one destination sequence, as WindowSearch has them
 };
 
-TransitionTable emptyTable(NodeIndex frames)
+/// The tables while they are filled.
+struct TableInWork
 {
-    return {.cost = Table<float>::Constant(frames, frames, TransitionTable::none),
-            .length = Table<std::uint16_t>::Zero(frames, frames),
-            .windows = Table<std::uint16_t>::Zero(frames, Eigen::Index{2} * frames)};
-}
+    explicit TableInWork(NodeIndex frames)
+        : cost(Table<float>::Constant(frames, frames, TransitionTable::none))
+        , length(Table<std::uint16_t>::Zero(frames, frames))
+        , windows(Table<std::uint16_t>::Zero(frames, Eigen::Index{2} * frames))
+    {
+    }
 
-void store(TransitionTable& table, Rows rows, std::span<const Entry> entries)
+    void set(NodeIndex i, Eigen::Index j, const Entry& entry)
+    {
+        cost(i, j) = entry.cost;
+        length(i, j) = entry.length;
+        windows(i, 2 * j) = entry.sourceWindow;
+        windows(i, 2 * j + 1) = entry.destinationWindow;
+    }
+
+    TransitionTable done() &&
+    {
+        return {.cost = SharedTable<float>(std::move(cost)),
+                .length = SharedTable<std::uint16_t>(std::move(length)),
+                .windows = SharedTable<std::uint16_t>(std::move(windows))};
+    }
+
+    Table<float> cost;
+    Table<std::uint16_t> length;
+    Table<std::uint16_t> windows;
+};
+
+void store(TableInWork& table, Rows rows, std::span<const Entry> entries)
 {
     const auto frames = table.cost.cols();
-    for (NodeIndex r = 0; r < rows.count; ++r) {
-        for (Eigen::Index j = 0; j < frames; ++j) {
-            const Entry& entry = entries[static_cast<std::size_t>(r * frames + j)];
-            table.cost(rows.first + r, j) = entry.cost;
-            table.length(rows.first + r, j) = entry.length;
-            table.windows(rows.first + r, 2 * j) = entry.sourceWindow;
-            table.windows(rows.first + r, 2 * j + 1) = entry.destinationWindow;
-        }
-    }
+    for (NodeIndex r = 0; r < rows.count; ++r)
+        for (Eigen::Index j = 0; j < frames; ++j)
+            table.set(rows.first + r, j, entries[static_cast<std::size_t>(r * frames + j)]);
 }
 
-void checkTable(const Table<float>& distances, const FrameLayout& layout)
+void checkTable(TableView<float> distances, const FrameLayout& layout)
 {
     assert(distances.rows() == layout.frameCount() && distances.cols() == layout.frameCount());
     assert(distances.size() == 0 || (distances.isFinite().all() && distances.minCoeff() >= 0));
@@ -155,14 +172,14 @@ void checkTable(const Table<float>& distances, const FrameLayout& layout)
 
 } // namespace
 
-TransitionTable transitionTable(const Table<float>& distances, const FrameLayout& layout,
+TransitionTable transitionTable(TableView<float> distances, const FrameLayout& layout,
                                 const TransitionSettings& settings, const Progress& progress,
                                 const Executor& executor)
 {
     checkSettings(settings);
     checkTable(distances, layout);
     const CostGrid grid(largestOf(distances), settings);
-    TransitionTable table = emptyTable(layout.frameCount());
+    TableInWork table(layout.frameCount());
     const std::vector<Rows> tasks = tasksOf(layout);
     const auto rowsOf = [&tasks](std::int64_t task) { return tasks[static_cast<std::size_t>(task)]; };
     executor.run(
@@ -173,16 +190,16 @@ TransitionTable transitionTable(const Table<float>& distances, const FrameLayout
             },
             [&](std::int64_t task, std::span<const Entry> entries) { store(table, rowsOf(task), entries); }),
         progress);
-    return table;
+    return std::move(table).done();
 }
 
-TransitionTable linearTransitionTable(const Table<float>& distances, const FrameLayout& layout,
+TransitionTable linearTransitionTable(TableView<float> distances, const FrameLayout& layout,
                                       const TransitionSettings& settings, const Progress& progress)
 {
     checkSettings(settings);
     checkTable(distances, layout);
     const bool mean = settings.cost == TransitionCost::Mean;
-    TransitionTable table = emptyTable(layout.frameCount());
+    TableInWork table(layout.frameCount());
     for (int s = 0; s < layout.sequenceCount(); ++s) {
         for (NodeIndex i = layout.firstOf(s); i <= layout.lastOf(s); ++i) {
             progress.report(i, layout.frameCount());
@@ -196,16 +213,18 @@ TransitionTable linearTransitionTable(const Table<float>& distances, const Frame
                     double sum = 0;
                     for (NodeIndex k = 0; k < window; ++k)
                         sum += static_cast<double>(distances(i + k, j - window + 1 + k));
-                    table.cost(i, j) = static_cast<float>(mean ? sum / window : sum);
-                    table.length(i, j) = static_cast<std::uint16_t>(window);
-                    table.windows(i, Eigen::Index{2} * j) = table.windows(i, Eigen::Index{2} * j + 1) =
-                        table.length(i, j);
+                    const auto both = static_cast<std::uint16_t>(window);
+                    table.set(i, j,
+                              {.cost = static_cast<float>(mean ? sum / window : sum),
+                               .length = both,
+                               .sourceWindow = both,
+                               .destinationWindow = both});
                 }
             }
         }
     }
     progress.report(1);
-    return table;
+    return std::move(table).done();
 }
 
 } // namespace quadrille

@@ -4,7 +4,7 @@
 
 #include "model/core/executor.h"
 #include "model/core/progress.h"
-#include "model/core/table.h"
+#include "model/core/sharedtable.h"
 #include "model/transition/framelayout.h"
 #include "model/transition/framepair.h"
 #include "model/transition/transitionsettings.h"
@@ -30,12 +30,12 @@ struct TransitionTable
 {
     /// D: cost of the warp path, in the unit of the pose distances; infinite where no windows fit and on the
     /// diagonal. Not symmetric.
-    Table<float> cost;
+    SharedTable<float> cost;
     /// L: frames that the transition lasts, by TransitionSettings::length; 0 where the cost is infinite, as
     /// are the two windows.
-    Table<std::uint16_t> length;
+    SharedTable<std::uint16_t> length;
     /// Both windows, frames: frames × 2 · frames, lᵢ and lⱼ of each pair side by side.
-    Table<std::uint16_t> windows;
+    SharedTable<std::uint16_t> windows;
 
     std::uint16_t sourceWindow(NodeIndex i, NodeIndex j) const { return windows(i, Eigen::Index{2} * j); }
     std::uint16_t destinationWindow(NodeIndex i, NodeIndex j) const
@@ -61,14 +61,14 @@ struct TransitionTable
 /// \param distances  frames × frames, finite and not negative.
 /// \throws Error BadArgument from checkSettings, Cancelled. Cost: at most O(frames² · l_max²); beside the
 /// tables, 12 bytes × frames × 16 and the distances of l_max + 16 frames for each thread.
-TransitionTable transitionTable(const Table<float>& distances, const FrameLayout& layout,
+TransitionTable transitionTable(TableView<float> distances, const FrameLayout& layout,
                                 const TransitionSettings& settings, const Progress& progress = {},
                                 const Executor& executor = localExecutor());
 
 /// Transitions without warp, for comparison (SMCAS Fig. 7, "linear"): both windows have l_min frames and
 /// advance together; the cost is the sum of their distances, or the mean.
 /// \throws Error as transitionTable.
-TransitionTable linearTransitionTable(const Table<float>& distances, const FrameLayout& layout,
+TransitionTable linearTransitionTable(TableView<float> distances, const FrameLayout& layout,
                                       const TransitionSettings& settings, const Progress& progress = {});
 
 } // namespace quadrille

@@ -25,10 +25,10 @@ std::size_t evenly(int t, int length, int cells)
 
 } // namespace
 
-WarpPaths::WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings)
+WarpPaths::WarpPaths(TableView<float> distances, FrameLayout layout, const TransitionSettings& settings)
     : WarpPaths(
-          [&distances](NodeIndex i, NodeIndex first, std::span<float> row) {
-              std::copy_n(&distances(i, first), row.size(), row.begin());
+          [distances](NodeIndex i, NodeIndex first, std::span<float> row) {
+              std::copy_n(&distances.coeffRef(i, first), row.size(), row.begin());
           },
           distances.size() == 0 ? 0 : distances.maxCoeff(), std::move(layout), settings)
 {

@@ -42,7 +42,7 @@ public:
 
     /// \param distances  as for transitionTable.
     /// \throws Error BadArgument from checkSettings. Cost: O(frames²), for the largest distance.
-    WarpPaths(const Table<float>& distances, FrameLayout layout, const TransitionSettings& settings);
+    WarpPaths(TableView<float> distances, FrameLayout layout, const TransitionSettings& settings);
 
     /// The same of distances that are known row by row. \param rows  called from several threads.
     /// \param largest  of all distances. \throws Error BadArgument from checkSettings.

@@ -57,8 +57,8 @@ void BM_MeshesToGraph(benchmark::State& state)
         const PoseDistances poses = poseDistances(character);
         TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 25});
         const auto pairs = static_cast<double>(poses.distances.size());
-        const TransitionCosts costs(std::move(transitions.cost), std::move(transitions.length),
-                                    static_cast<double>(poses.distances.maxCoeff()), poses.layout);
+        const TransitionCosts costs(poses.layout, static_cast<double>(poses.distances.maxCoeff()),
+                                    std::move(transitions.cost).take(), std::move(transitions.length));
         const EssentialGraph essential = essentialGraph(costs, 0.01);
         benchmark::DoNotOptimize(essential.graph.edges().data());
         // Distances and D in single, the costs of walks in double precision, L and two windows in 16 bits.

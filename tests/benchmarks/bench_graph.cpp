@@ -33,7 +33,8 @@ const TransitionCosts& costsOf(std::int64_t frames)
     const Table<float> distances = walkingDistances(static_cast<int>(frames), 1);
     TransitionTable table = transitionTable(distances, layout, {});
     return known
-        .try_emplace(frames, std::move(table.cost), std::move(table.length), distances.maxCoeff(), layout)
+        .try_emplace(frames, layout, distances.maxCoeff(), std::move(table.cost).take(),
+                     std::move(table.length))
         .first->second;
 }
 

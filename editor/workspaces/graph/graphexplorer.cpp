@@ -17,7 +17,7 @@ constexpr std::array<double, 12> comparedAlphas{0.001, 0.002, 0.005, 0.01, 0.02,
                                                 0.05,  0.1,   0.2,   0.3,  0.5,  1.0};
 
 template <typename Value>
-bool areEqual(const Table<Value>& a, const Table<Value>& b)
+bool areEqual(TableView<Value> a, TableView<Value> b)
 {
     return a.rows() == b.rows() && a.cols() == b.cols() &&
            std::equal(a.data(), a.data() + a.size(), b.data());
@@ -186,6 +186,7 @@ void GraphExplorer::computeGaps()
             progress.report(0.5);
             made->motion = findGaps(measured->graphs->motion, measured->motion.connectivity, graph.costs(),
                                     graph.distances(), made->alpha);
+            graph.unloadTables();
             return std::shared_ptr<const ExploredGaps>(std::move(made));
         },
         [this](std::shared_ptr<const ExploredGaps> gaps) {

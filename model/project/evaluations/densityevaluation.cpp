@@ -45,7 +45,7 @@ std::vector<Variant> variantsOf()
     return variants;
 }
 
-double quantileOf(const Table<float>& distances, double share)
+double quantileOf(TableView<float> distances, double share)
 {
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(distances.size()) / 2);
@@ -67,17 +67,19 @@ TransitionCosts costsOf(const Variant& variant, const CharacterGraph& graph, con
     }
     const std::int64_t frames = graph.layout().frameCount();
     const FrameLayout layout = variant.isJoined ? FrameLayout(std::span(&frames, 1)) : graph.layout();
-    TransitionTable table =
-        transitionTable(variant.isPublished ? graph.distances() : graph.steps(), layout, settings, progress);
+    TransitionTable table = variant.isPublished
+                                ? transitionTable(graph.distances(), layout, settings, progress)
+                                : transitionTable(graph.steps(), layout, settings, progress);
+    Table<float> cost = std::move(table.cost).take();
     if (knowsDrifts(entry))
-        addDrifts(table.cost, footDrifts(graph.roots(), layout, table, graph.fps()), table.length,
+        addDrifts(cost, footDrifts(graph.roots(), layout, table, graph.fps()), *table.length,
                   entry.cost == TransitionCost::Sum, entry.steps);
     if (entry.costScale == CostScale::Liveliness && !variant.isJoined && liveliness.size() > 0)
-        table.cost = costPerLiveliness(std::move(table.cost), layout, liveliness);
+        cost = costPerLiveliness(std::move(cost), layout, liveliness);
     const double greatest = variant.quantile
                                 ? quantileOf(graph.distances(), *variant.quantile)
                                 : work.graph.greatestDistance.value_or(graph.distances().maxCoeff());
-    return {std::move(table.cost), std::move(table.length), greatest, layout};
+    return {layout, greatest, std::move(cost), std::move(table.length)};
 }
 
 std::int64_t transitionsOf(const Digraph& graph)

@@ -23,7 +23,7 @@ constexpr auto table1JointsNote =
     "and Pearson's correlation of pose distances with its differences alone.";
 
 /// The rows and columns of some frames.
-Table<float> partOf(const Table<float>& table, const std::vector<NodeIndex>& nodes)
+Table<float> partOf(TableView<float> table, const std::vector<NodeIndex>& nodes)
 {
     return table(nodes, nodes);
 }
@@ -70,7 +70,7 @@ const char* nameOf(InterpolationMethod method)
 }
 
 /// The pair that differs most; of several the first.
-FramePair furthestPair(const Table<float>& distances)
+FramePair furthestPair(TableView<float> distances)
 {
     Eigen::Index row = 0;
     Eigen::Index column = 0;
@@ -113,8 +113,8 @@ NamedNode named(NodeIndex node, const FrameLayout& layout, const std::vector<std
     return {sequences[static_cast<std::size_t>(sequence)], node - layout.firstOf(sequence)};
 }
 
-Result fig4Result(const std::vector<InterpolatedPair>& all, std::size_t perPair,
-                  const Table<float>& distances, const std::string& unit, const FrameLayout& layout,
+Result fig4Result(const std::vector<InterpolatedPair>& all, std::size_t perPair, TableView<float> distances,
+                  const std::string& unit, const FrameLayout& layout,
                   const std::vector<std::string>& sequences)
 {
     TableBuilder table("fig4", fig4Note);

@@ -226,7 +226,7 @@ BuildStep junctionsStep(const CharacterInputs& work, const EvaluationEntry& eval
         const CharacterFrames character = work.open(progress.part(0, 0.05));
         const Table<float> steps = graph.steps();
         const TransitionTable transitions =
-            transitionTableOf(context.resultOf(work.stepName(graphstep::transitions)));
+            transitionTableOf(*context.resultOf(work.stepName(graphstep::transitions)));
         const Table<float> accelerations = accelerationDifferences(character, fps, progress.part(0.05, 0.4));
         const JunctionInputs inputs{.character = character,
                                     .roots = graph.roots(),

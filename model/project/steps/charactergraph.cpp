@@ -25,26 +25,6 @@ std::vector<double> pacesInHeights(const RootPoses& roots, const FrameLayout& la
     return paces;
 }
 
-constexpr int bitsOfWindow = 8;
-constexpr std::uint16_t greatestPacked = (1U << bitsOfWindow) - 1;
-
-std::uint16_t packedWindows(std::uint16_t source, std::uint16_t destination)
-{
-    const bool fits = source <= greatestPacked && destination <= greatestPacked;
-    return fits ? static_cast<std::uint16_t>(source << bitsOfWindow | destination) : std::uint16_t{0};
-}
-
-/// \param both  source and destination window side by side.
-Table<std::uint16_t> packedWindowsOf(const SharedTable<std::uint16_t>& both)
-{
-    Table<std::uint16_t> windows(both->rows(), both->cols() / 2);
-    tbb::parallel_for(Eigen::Index{0}, windows.rows(), [&](Eigen::Index i) {
-        for (Eigen::Index j = 0; j < windows.cols(); ++j)
-            windows(i, j) = packedWindows((*both)(i, 2 * j), (*both)(i, 2 * j + 1));
-    });
-    return windows;
-}
-
 } // namespace
 
 std::vector<std::string> CharacterGraph::inputs(const CharacterInputs& work)
@@ -63,17 +43,17 @@ CharacterGraph::Tables::Tables(const CharacterInputs& work, const StepContext& c
     const auto takeDistances = [&](const Result& poses) {
         distances = sharedTableOf<float>(poses.arrays.front());
     };
-    const auto takeWindows = [&](const Result& transitions) {
-        greatestStep = greatestStepOf(transitions);
-        windows = packedWindowsOf(sharedTableOf<std::uint16_t>(arrayOf(transitions, "transition-windows")));
+    const auto takeTransitions = [&](const Result& result) {
+        greatestStep = greatestStepOf(result);
+        windows = sharedTableOf<std::uint16_t>(arrayOf(result, "transition-windows"));
     };
-    costs = costsOf(work, context, {.distances = takeDistances, .transitions = takeWindows});
+    costs = costsOf(work, context, {.distances = takeDistances, .transitions = takeTransitions});
     layout = costs->layout();
-    if (windows.size() == 0) // they were there already
-        takeWindows(*resultOf(graphstep::transitions));
+    if (windows.empty()) // they were there already
+        takeTransitions(*resultOf(graphstep::transitions));
     if (distances.empty())
         takeDistances(*resultOf(graphstep::poseDistance));
-    roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+    roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
     differences.emplace(roots, layout, settings.fps);
     if (knowsDrifts(work.graph))
         drifts.emplace(roots, layout, settings.fps);
@@ -100,6 +80,14 @@ CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& c
     m_graph = storedEssentialGraph(work, context, m_tables->layout.frameCount());
 }
 
+void CharacterGraph::unloadTables() const
+{
+    m_tables->distances.unload();
+    m_tables->windows.unload();
+    m_tables->roots.turns.unload();
+    m_tables->costs->unloadLengths();
+}
+
 Table<float> CharacterGraph::steps() const
 {
     Table<float> steps = distances();
@@ -116,16 +104,12 @@ std::optional<Transition> CharacterGraph::transition(const FramePair& pair) cons
 
 KnownTransition CharacterGraph::knownTransition(const FramePair& pair) const
 {
-    KnownTransition known{.cost = costs().cost()(pair.source, pair.destination),
-                          .length = costs().length()(pair.source, pair.destination)};
-    if (const std::uint16_t windows = m_tables->windows(pair.source, pair.destination)) {
-        known.sourceWindow = windows >> bitsOfWindow;
-        known.destinationWindow = windows & greatestPacked;
-    } else if (const auto found = paths().find(pair)) {
-        known.sourceWindow = static_cast<std::uint16_t>(found->sourceWindow);
-        known.destinationWindow = static_cast<std::uint16_t>(found->destinationWindow);
-    }
-    return known;
+    const auto [i, j] = pair;
+    const SharedTable<std::uint16_t>& windows = m_tables->windows;
+    return {.cost = costs().cost()(i, j),
+            .length = costs().length()(i, j),
+            .sourceWindow = windows(i, Eigen::Index{2} * j),
+            .destinationWindow = windows(i, Eigen::Index{2} * j + 1)};
 }
 
 CostParts CharacterGraph::partsOf(const FramePair& pair) const

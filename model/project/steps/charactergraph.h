@@ -31,7 +31,7 @@ public:
 
     const CharacterInputs& work() const { return m_work; }
     const FrameLayout& layout() const { return m_tables->layout; }
-    const Table<float>& distances() const { return *m_tables->distances; }
+    TableView<float> distances() const { return *m_tables->distances; }
     const TransitionCosts& costs() const { return *m_tables->costs; }
     /// What transitions are sought by: the distances, and what else frames that are blended differ in.
     /// Cost: O(frames² · feet).
@@ -57,6 +57,9 @@ public:
     }
     /// Whether transitions and their costs are the same, and not only equal.
     bool hasTablesOf(const CharacterGraph& other) const { return m_tables == other.m_tables; }
+    /// Gives back the memory of tables in files, after all of them were looked at; see SharedTable. Safe
+    /// while others look at them.
+    void unloadTables() const;
     double alpha() const { return m_work.graph.alpha; }
     double fps() const { return m_work.opener->project().settings.fps; }
     double metresPerUnit() const { return m_work.opener->project().settings.axes.metresPerUnit; }
@@ -89,7 +92,7 @@ private:
 
         float step(NodeIndex i, NodeIndex j) const
         {
-            return differences->step((*distances)(i, j), weights, i, j);
+            return differences->step(distances(i, j), weights, i, j);
         }
 
         FrameLayout layout;
@@ -100,10 +103,8 @@ private:
         std::optional<StepDifferences> differences;
         std::optional<FootDrifts> drifts; ///< nothing where costs do not know them
         std::shared_ptr<const TransitionCosts> costs;
-        /// Both windows of each transition in a byte each; 0 where there is none, or one is too long for
-        /// that.
-        Table<std::uint16_t> windows;
-        std::optional<WarpPaths> paths; ///< of the steps
+        SharedTable<std::uint16_t> windows; ///< as TransitionTable has them
+        std::optional<WarpPaths> paths;     ///< of the steps
     };
 
     CharacterInputs m_work;

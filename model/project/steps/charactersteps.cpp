@@ -115,7 +115,9 @@ FrameLayout layoutOf(const Result& distances)
 float greatestOf(const Result& distances)
 {
     const SharedTable<float> table = sharedTableOf<float>(distances.arrays.front());
-    return table->size() > 0 ? table->maxCoeff() : 0.0F;
+    const float greatest = table.empty() ? 0.0F : table->maxCoeff();
+    table.unload();
+    return greatest;
 }
 
 namespace {

@@ -62,15 +62,21 @@ const DataArray& arrayOf(const Result& result, const std::string& name);
 
 /// A square or other table as data.
 template <typename Value>
-DataArray matrixOf(std::string name, std::string description, std::string unit, Table<Value> table)
+DataArray matrixOf(std::string name, std::string description, std::string unit, SharedTable<Value> table)
 {
     DataArray array;
     array.name = std::move(name);
     array.description = std::move(description);
     array.unit = std::move(unit);
-    array.shape = {table.rows(), table.cols()};
-    array.values = SharedTable<Value>(std::move(table));
+    array.shape = {table->rows(), table->cols()};
+    array.values = std::move(table);
     return array;
+}
+template <typename Value>
+DataArray matrixOf(std::string name, std::string description, std::string unit, Table<Value> table)
+{
+    return matrixOf(std::move(name), std::move(description), std::move(unit),
+                    SharedTable<Value>(std::move(table)));
 }
 
 /// A matrix of single precision, or of counts; shared with the result. \pre The array is of that type.

@@ -25,7 +25,7 @@ struct CostSplit
     /// What two frames differ in.
     using StepOf = std::function<float(NodeIndex, NodeIndex)>;
 
-    const Table<float>& distances; ///< of poses
+    TableView<float> distances; ///< of poses
     /// What transitions were sought by. \pre Safe from several threads.
     const StepOf& step;
     const Stances& stances;

@@ -36,7 +36,7 @@ struct EdgePaths
     };
 
     const FrameLayout& layout;
-    const Table<float>& distances; ///< of poses
+    TableView<float> distances; ///< of poses
     const StepDifferences& differences;
     StepWeights weights;
     float greatestStep = 0; ///< what transitions were sought by is at most so much

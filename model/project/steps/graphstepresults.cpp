@@ -187,9 +187,8 @@ Result rootPosesResult(RootPoses roots, const std::string& unit)
     return result;
 }
 
-RootPoses rootPosesOf(ResultPointer pointer, UpAxis up)
+RootPoses rootPosesOf(const Result& result, UpAxis up)
 {
-    const Result& result = *pointer;
     RootPoses roots{.up = up};
     const auto& centres = std::get<std::vector<double>>(arrayOf(result, "root-centres").values);
     for (std::size_t node = 0; node < centres.size() / 3; ++node)
@@ -206,24 +205,15 @@ RootPoses rootPosesOf(ResultPointer pointer, UpAxis up)
         }
     }
     roots.stances = stancesOf(result);
-    roots.turns = takeTable<float>(std::move(pointer), "root-turns");
+    roots.turns = sharedTableOf<float>(arrayOf(result, "root-turns"));
     return roots;
 }
 
-TransitionTable transitionTableOf(ResultPointer result)
+TransitionTable transitionTableOf(const Result& result)
 {
-    SharedTable<float> cost = sharedTableOf<float>(arrayOf(*result, "transition-cost"));
-    TransitionTable table = transitionWindowsOf(std::move(result));
-    table.cost = std::move(cost).take();
-    return table;
-}
-
-TransitionTable transitionWindowsOf(ResultPointer result)
-{
-    SharedTable<std::uint16_t> length = sharedTableOf<std::uint16_t>(arrayOf(*result, "transition-length"));
-    TransitionTable table{.windows = takeTable<std::uint16_t>(std::move(result), "transition-windows")};
-    table.length = std::move(length).take();
-    return table;
+    return {.cost = sharedTableOf<float>(arrayOf(result, "transition-cost")),
+            .length = sharedTableOf<std::uint16_t>(arrayOf(result, "transition-length")),
+            .windows = sharedTableOf<std::uint16_t>(arrayOf(result, "transition-windows"))};
 }
 
 float greatestStepOf(const Result& transitions)

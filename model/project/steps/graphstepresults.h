@@ -28,12 +28,10 @@ CostOverview costOverviewOf(const Result& result);
 
 /// \param unit  of lengths.
 Result rootPosesResult(RootPoses roots, const std::string& unit);
-/// Takes the turns out of the result where nobody else has it.
-RootPoses rootPosesOf(ResultPointer result, UpAxis up);
-/// From the result of the step of transitions, out of which it is taken where nobody else has it.
-TransitionTable transitionTableOf(ResultPointer result);
-/// The same without costs.
-TransitionTable transitionWindowsOf(ResultPointer result);
+/// Shares the turns with the result.
+RootPoses rootPosesOf(const Result& result, UpAxis up);
+/// Shares the tables with the result, of the step of transitions.
+TransitionTable transitionTableOf(const Result& result);
 /// What transitions were sought by is at most so much.
 float greatestStepOf(const Result& transitions);
 

@@ -58,7 +58,7 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
         const std::string unit = poses->arrays.front().unit;
         Table<float> steps = takeTable<float>(std::move(poses), graphstep::poseDistance);
         if (!weights.isNothing()) {
-            const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+            const RootPoses roots = rootPosesOf(*context.resultOf(inputs[1]), up);
             addStepCosts(steps, StepDifferences(roots, layout, fps), weights);
         }
         const float greatest = steps.size() > 0 ? steps.maxCoeff() : 0.0F;
@@ -93,14 +93,14 @@ BuildStep driftStep(const CharacterInputs& work)
                    work.stepName(graphstep::transitions)};
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
         const FrameLayout layout = layoutOf(*context.resultOf(inputs[0]));
-        const RootPoses roots = rootPosesOf(context.resultOf(inputs[1]), up);
+        const RootPoses roots = rootPosesOf(*context.resultOf(inputs[1]), up);
         Result result;
         result.arrays = {matrixOf(
             "transition-drift",
             "How far the blend of the best transition from a frame (row) to another drags a foot "
             "that stands.",
             "body heights",
-            footDrifts(roots, layout, transitionWindowsOf(context.resultOf(inputs[2])), fps, progress))};
+            footDrifts(roots, layout, transitionTableOf(*context.resultOf(inputs[2])), fps, progress))};
         return result;
     };
     return step;
@@ -124,7 +124,7 @@ std::vector<KnownEdges> knownEdges(const std::vector<const Digraph*>& graphs, co
     };
     {
         const TransitionTable table =
-            transitionTableOf(context.resultOf(work.stepName(graphstep::transitions)));
+            transitionTableOf(*context.resultOf(work.stepName(graphstep::transitions)));
         set([&](EdgePaths::Known& edge, const Edge& ends) {
             edge.transition = table.at({.source = ends.from, .destination = ends.to});
         });
@@ -132,7 +132,7 @@ std::vector<KnownEdges> knownEdges(const std::vector<const Digraph*>& graphs, co
     if (knowsDrifts(work.graph)) {
         const SharedTable<float> drifts =
             sharedTableOf<float>(context.resultOf(work.stepName(graphstep::drifts))->arrays.front());
-        set([&](EdgePaths::Known& edge, const Edge& ends) { edge.drift = (*drifts)(ends.from, ends.to); });
+        set([&](EdgePaths::Known& edge, const Edge& ends) { edge.drift = drifts(ends.from, ends.to); });
     }
     return known;
 }
@@ -217,7 +217,7 @@ BuildStep edgeStep(const CharacterInputs& work)
             }
             context.forgetUnused();
             const float greatestStep = greatestStepOf(*resultOf(graphstep::transitions));
-            const RootPoses roots = rootPosesOf(resultOf(graphstep::rootPoses), settings.axes.up);
+            const RootPoses roots = rootPosesOf(*resultOf(graphstep::rootPoses), settings.axes.up);
             const SharedTable<float> distances =
                 sharedTableOf<float>(resultOf(graphstep::poseDistance)->arrays.front());
             splitCosts(all,

@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 /// Frames of some sequences, and those whose poses are as near to theirs as the sequences are to each other.
-std::vector<bool> framesLike(const std::vector<int>& sequences, const Table<float>& distances,
+std::vector<bool> framesLike(const std::vector<int>& sequences, TableView<float> distances,
                              const FrameLayout& layout)
 {
     constexpr double share = 0.9; // of the sequences' own frames that would be found among the others

@@ -27,6 +27,28 @@ DataValues readNumbers(hid_t dataset, std::size_t count, std::uint64_t limit)
     return values;
 }
 
+/// The numbers where they lie in the file; empty where they do not lie there as they would in memory, or are
+/// too few to be worth it. Results are replaced whole, never changed.
+template <typename T>
+SharedTable<T> tableInFile(hid_t dataset, Eigen::Index rows, Eigen::Index columns)
+{
+    constexpr std::size_t least = std::size_t{16} << 20;
+    const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) * sizeof(T);
+    if (size < least)
+        return {};
+    const Hdf5Handle type = handle(H5Dget_type(dataset), H5Tclose);
+    const Hdf5Handle properties = handle(H5Dget_create_plist(dataset), H5Pclose);
+    const haddr_t offset = H5Dget_offset(dataset);
+    if (H5Pget_layout(properties.id()) != H5D_CONTIGUOUS || H5Pget_external_count(properties.id()) != 0 ||
+        check(H5Tequal(type.id(), typesOf<T>().second)) == 0 || offset == HADDR_UNDEF ||
+        offset % alignof(T) != 0)
+        return {};
+    std::string file(static_cast<std::size_t>(check(H5Fget_name(dataset, nullptr, 0))), '\0');
+    check(H5Fget_name(dataset, file.data(), file.size() + 1));
+    auto bytes = MappedBytes::tryToMap(file, offset, size);
+    return bytes ? SharedTable<T>(std::move(bytes), rows, columns) : SharedTable<T>();
+}
+
 /// As one row for each index of the first dimension.
 template <typename T>
 DataValues readTable(hid_t dataset, const std::vector<std::int64_t>& shape, std::uint64_t limit)
@@ -37,6 +59,10 @@ DataValues readTable(hid_t dataset, const std::vector<std::int64_t>& shape, std:
     const auto rows = shape.empty() ? std::size_t{1} : static_cast<std::size_t>(shape.front());
     if (rows > 0 && columns > limit / sizeof(T) / rows)
         throw Failure{};
+    if (SharedTable<T> inFile =
+            tableInFile<T>(dataset, static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+        !inFile.empty())
+        return inFile;
     Table<T> table(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
     if (table.size() > 0)
         check(H5Dread(dataset, typesOf<T>().second, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.data()));

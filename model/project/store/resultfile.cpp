@@ -35,6 +35,8 @@ void addToHash(ContentHasher& hasher, const DataArray& array)
                     hasher.add(value);
             } else {
                 hasher.addBytes(std::as_bytes(std::span(values)));
+                if constexpr (requires { values.unload(); })
+                    values.unload();
             }
         },
         array.values);

@@ -32,7 +32,7 @@ OfCovariance turnOf(UpAxis up)
 RootPoses rootPoses(std::vector<Vec3d> centres, Table<float> turns, UpAxis up)
 {
     turns.matrix().triangularView<Eigen::StrictlyLower>() *= -1.0F;
-    return {.up = up, .centres = std::move(centres), .turns = std::move(turns)};
+    return {.up = up, .centres = std::move(centres), .turns = SharedTable<float>(std::move(turns))};
 }
 
 RootPoses rootPoses(const CharacterFrames& character, UpAxis up, const Progress& progress,

@@ -4,7 +4,7 @@
 
 #include "model/core/executor.h"
 #include "model/core/progress.h"
-#include "model/core/table.h"
+#include "model/core/sharedtable.h"
 #include "model/synthesis/clips/ground.h"
 #include "model/synthesis/clips/stances.h"
 #include "model/synthesis/clips/supports.h"
@@ -22,7 +22,7 @@ struct RootPoses
     std::vector<Vec3d> centres; ///< mean of the vertices of each frame, metres
     /// frames × frames, radians in (−π, π]: the angle about the up axis by which the pose of the column turns
     /// to lie nearest to that of the row, centres together (the function Align of SMCAS Alg. 1).
-    Table<float> turns;
+    SharedTable<float> turns;
     /// What each frame stands on, of findSupports; empty: nothing is known of it.
     std::vector<Support> supports;
     /// Which feet stand, of findStances; unknown: nothing is known of them.

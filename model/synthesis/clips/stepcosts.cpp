@@ -106,7 +106,7 @@ void addStepCosts(Table<float>& distances, const StepDifferences& differences, c
     });
 }
 
-void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::uint16_t>& length, bool isSum,
+void addDrifts(Table<float>& cost, TableView<float> drifts, TableView<std::uint16_t> length, bool isSum,
                const StepWeights& weights)
 {
     const auto weight = static_cast<float>(weights.contacts / dragOfOneFoot);
@@ -116,7 +116,7 @@ void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::
         cost += weight * drifts;
 }
 
-Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights)
+Table<float> weightedSteps(TableView<float> distances, const StepCosts& parts, const StepWeights& weights)
 {
     return distances + static_cast<float>(weights.contacts) * parts.contacts +
            static_cast<float>(weights.velocity) * parts.velocity;

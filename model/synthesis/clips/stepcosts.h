@@ -60,7 +60,7 @@ private:
     };
 
     const Stances& m_stances;
-    const Table<float>& m_turns;
+    SharedTable<float> m_turns;
     std::size_t m_points;           ///< the centre and the feet
     std::vector<Velocity> m_moving; ///< by frame, point after point
 };
@@ -76,11 +76,11 @@ inline constexpr double dragOfOneFoot = 0.25;
 
 /// Adds to costs of transitions what dragging feet costs. \param cost  D, frames × frames. \param drifts  of
 /// footDrifts. \param isSum  whether D is the sum over `length` steps, not the mean.
-void addDrifts(Table<float>& cost, const Table<float>& drifts, const Table<std::uint16_t>& length, bool isSum,
+void addDrifts(Table<float>& cost, TableView<float> drifts, TableView<std::uint16_t> length, bool isSum,
                const StepWeights& weights);
 
 /// What transitions are sought by: pose distances with both parts by their weights.
-Table<float> weightedSteps(const Table<float>& distances, const StepCosts& parts, const StepWeights& weights);
+Table<float> weightedSteps(TableView<float> distances, const StepCosts& parts, const StepWeights& weights);
 /// The same without tables of the parts. \param distances  in: of poses; out: with both parts.
 void addStepCosts(Table<float>& distances, const StepDifferences& differences, const StepWeights& weights);
 

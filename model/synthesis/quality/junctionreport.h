@@ -76,8 +76,8 @@ struct JunctionInputs
 {
     const CharacterFrames& character;
     const RootPoses& roots; ///< with supports
-    const Table<float>& distances;
-    const Table<float>& accelerations; ///< of accelerationDifferences
+    TableView<float> distances;
+    TableView<float> accelerations; ///< of accelerationDifferences
     const TransitionTable& transitions;
     TransitionSettings settings; ///< of the transitions
     const Digraph& graph;        ///< whose transitions are drawn from

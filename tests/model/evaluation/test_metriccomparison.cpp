@@ -27,7 +27,7 @@ TEST(MetricComparison, AMetricThatIsTheReferenceCorrelatesFully)
     const JointAngles angles = bending(12);
     const Table<float> reference = jointAngleDistances(angles);
     const Table<float> squared = reference.square();
-    const MetricComparison comparison = compareMetrics(angles, squared, 2 * reference);
+    const MetricComparison comparison = compareMetrics(angles, squared, Table<float>(2 * reference));
     EXPECT_EQ(comparison.frames, 12);
     EXPECT_EQ(comparison.pairs, 66);
     ASSERT_EQ(comparison.rows.size(), 2U);

@@ -46,7 +46,8 @@ TEST(CostOverview, OfNothingIsEmpty)
 {
     const CostOverview without = costOverview(Table<float>(), FrameLayout());
     EXPECT_EQ(without.least.size(), 0);
-    const CostOverview unreached = costOverview(Table<float>::Constant(3, 3, none), layoutOf(3));
+    const CostOverview unreached =
+        costOverview(Table<float>(Table<float>::Constant(3, 3, none)), layoutOf(3));
     EXPECT_TRUE((unreached.least == none).all());
     EXPECT_LT(unreached.range.minimum, unreached.range.maximum);
 }

@@ -35,11 +35,11 @@ struct SplitCase
     CostParts of(const FramePair& pair, float share = 1)
     {
         const TransitionTable transitions = transitionTable(steps, layout, settings);
-        Table<float> cost = transitions.cost;
+        Table<float> cost = *transitions.cost;
         if (drifts.size() > 0)
-            addDrifts(cost, drifts, transitions.length, settings.cost == TransitionCost::Sum,
+            addDrifts(cost, drifts, *transitions.length, settings.cost == TransitionCost::Sum,
                       {.contacts = contactWeight});
-        const TransitionCosts costs(cost / share, transitions.length, 100, layout);
+        const TransitionCosts costs(cost / share, *transitions.length, 100, layout);
         const WarpPaths paths(steps, layout, settings);
         const CostSplit::StepOf step = [this](NodeIndex i, NodeIndex j) { return steps(i, j); };
         const CostSplit split{

@@ -60,7 +60,7 @@ TEST_F(EvaluationSteps, Fig9HasARowForEachGraphAndAlpha)
     run();
     const PoseDistances poses = poseDistances(frames());
     const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
-    const TransitionCosts costs(transitions.cost, transitions.length, poses.distances.maxCoeff(),
+    const TransitionCosts costs(*transitions.cost, *transitions.length, poses.distances.maxCoeff(),
                                 poses.layout);
     const auto expected = sweepAlpha(costs, costMinima(costs), project.evaluations[0].alphas);
     EXPECT_THAT(column<std::string>("evaluation/fig9", "graph"),

@@ -45,12 +45,12 @@ TEST_F(GraphSteps, HoldWhatTheFunctionsCompute)
         << "metres in every unit";
     project.settings.axes.metresPerUnit = 1;
     run();
-    EXPECT_TRUE((matrix("transition-cost") == transitions.cost).all());
+    EXPECT_TRUE((matrix("transition-cost") == *transitions.cost).all());
     const Table<float> lengths = matrix("transition-length");
-    EXPECT_TRUE((lengths.isFinite() == (transitions.length > 0)).all());
+    EXPECT_TRUE((lengths.isFinite() == (*transitions.length > 0)).all());
     EXPECT_EQ(lengths(0, 22), static_cast<float>(transitions.length(0, 22)));
 
-    const TransitionCosts costs(transitions.cost, transitions.length, poses.distances.maxCoeff(),
+    const TransitionCosts costs(*transitions.cost, *transitions.length, poses.distances.maxCoeff(),
                                 poses.layout);
     const Digraph essential = essentialGraph(costs, 0.01).graph;
     const auto from = column<std::int64_t>("essential-graph-edges", "i");
@@ -204,10 +204,10 @@ TEST_F(GraphSteps, CostsAreScaledByLivelinessOnDemand)
     EXPECT_TRUE((matrix("liveliness") == liveliness.cast<float>()).all());
     const PoseDistances poses = poseDistances(frames());
     const TransitionTable transitions = transitionTable(poses.distances, poses.layout, {.fps = 6});
-    EXPECT_TRUE((matrix("transition-cost") == transitions.cost).all());
+    EXPECT_TRUE((matrix("transition-cost") == *transitions.cost).all());
     const Table<double> stored = matrix("liveliness").cast<double>();
-    const TransitionCosts costs(costPerLiveliness(transitions.cost, poses.layout, stored), transitions.length,
-                                poses.distances.maxCoeff(), poses.layout);
+    const TransitionCosts costs(costPerLiveliness(*transitions.cost, poses.layout, stored),
+                                *transitions.length, poses.distances.maxCoeff(), poses.layout);
     const Digraph essential = essentialGraph(costs, 0.01).graph;
     const auto weights = column<double>("essential-graph-edges", "weight");
     ASSERT_EQ(weights.size(), essential.edges().size());

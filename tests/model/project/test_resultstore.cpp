@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/steps/charactersteps.h"
 #include "model/project/store/carryresults.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"
 #include "tests/model/project/testproject.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -43,6 +45,15 @@ Result fullResult()
     return result;
 }
 
+std::vector<std::string> linesOf(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
 ErrorCode codeOfReading(const std::filesystem::path& file)
 {
     try {
@@ -63,6 +74,34 @@ TEST(ResultFile, GivesBackWhatWasWritten)
     const ResultHeader header = readResultHeader(folder / "r.h5");
     EXPECT_EQ(header.step, "stage");
     EXPECT_EQ(header.key, "key");
+}
+
+TEST(ResultFile, LeavesLargeTablesInTheFile)
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "large.h5";
+    const Table<float> distances = Table<float>::Random(2100, 2100);
+    const Table<std::uint16_t> windows = (distances.abs() * 1000.0F).cast<std::uint16_t>().replicate(1, 2);
+    DataArray pairs;
+    pairs.name = "windows";
+    pairs.shape = {2100, 2100, 2};
+    pairs.values = SharedTable<std::uint16_t>(windows);
+    Result written;
+    written.arrays = {matrixOf("pose-distance", "Distances.", "m", distances), pairs};
+    const auto isMapped = [&] {
+        return std::ranges::count_if(linesOf("/proc/self/maps"), [&](const std::string& line) {
+            return line.find(file.string()) != std::string::npos;
+        });
+    };
+    writeResultFile(file, {"stage", "key"}, written);
+    {
+        const Result read = readResultFile(file);
+        EXPECT_EQ(isMapped(), 2);
+        EXPECT_EQ(read, written);
+        writeResultFile(file, {"stage", "key"}, fullResult());
+        EXPECT_EQ(read, written); // they are those that were read
+    }
+    EXPECT_EQ(isMapped(), 0);
 }
 
 TEST(ResultFile, HasTheSameBytesWheneverItIsWritten)

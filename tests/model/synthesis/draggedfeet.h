@@ -31,20 +31,23 @@ struct Walker
         for (int sequence = 0; sequence < 2; ++sequence)
             addTake(sequence, random, headings);
         const NodeIndex frames = layout.frameCount();
-        roots.turns = Table<float>(frames, frames);
+        Table<float> turns(frames, frames);
         for (NodeIndex i = 0; i < frames; ++i)
             for (NodeIndex j = 0; j < frames; ++j)
-                roots.turns(i, j) = static_cast<float>(wrappedAngle(headings[static_cast<std::size_t>(i)] -
-                                                                    headings[static_cast<std::size_t>(j)]));
-        transitions = {.cost = Table<float>::Zero(frames, frames),
-                       .length = Table<std::uint16_t>::Zero(frames, frames),
-                       .windows = Table<std::uint16_t>::Zero(frames, 2 * frames)};
+                turns(i, j) = static_cast<float>(wrappedAngle(headings[static_cast<std::size_t>(i)] -
+                                                              headings[static_cast<std::size_t>(j)]));
+        roots.turns = SharedTable<float>(std::move(turns));
+        Table<std::uint16_t> lengths = Table<std::uint16_t>::Zero(frames, frames);
+        Table<std::uint16_t> windows = Table<std::uint16_t>::Zero(frames, 2 * frames);
         for (NodeIndex i = 0; i + length <= 40; ++i) {
             for (NodeIndex j = 40 + length - 1; j < frames; ++j) {
-                transitions.length(i, j) = static_cast<std::uint16_t>(length);
-                transitions.windows.row(i).segment(2 * j, 2) = static_cast<std::uint16_t>(length);
+                lengths(i, j) = static_cast<std::uint16_t>(length);
+                windows.row(i).segment(2 * j, 2) = static_cast<std::uint16_t>(length);
             }
         }
+        transitions = {.cost = SharedTable<float>(Table<float>::Zero(frames, frames)),
+                       .length = SharedTable<std::uint16_t>(std::move(lengths)),
+                       .windows = SharedTable<std::uint16_t>(std::move(windows))};
     }
 
     void addTake(int sequence, std::mt19937& random, std::vector<double>& headings)

@@ -39,7 +39,7 @@ std::unique_ptr<RealCharacter> readRealCharacter()
     PoseDistances poses = poseDistances(character);
     const TransitionSettings settings{.fps = 30};
     TransitionTable table = transitionTable(poses.distances, character.layout(), settings);
-    TransitionCosts costs(table.cost, table.length, poses.distances.maxCoeff(), character.layout());
+    TransitionCosts costs(*table.cost, *table.length, poses.distances.maxCoeff(), character.layout());
     EssentialGraph essential = essentialGraph(costs, RealCharacter::alpha);
     return std::make_unique<RealCharacter>(RealCharacter{.settings = settings,
                                                          .takes = std::move(takes),

@@ -37,7 +37,7 @@ TEST(FootDrift, IsNothingWhereBothTakesGoOnAlike)
     // The same step in both takes; blends of the same part of it show it as it is, others drag the foot.
     RootPoses& roots = walker.roots;
     roots.stances.standing.assign(roots.stances.standing.size(), 1);
-    roots.turns.setZero();
+    roots.turns = SharedTable<float>(Table<float>::Zero(roots.turns->rows(), roots.turns->cols()));
     for (Vec3d& place : roots.stances.places)
         place = Vec3d(1, 2, 0);
     for (int sequence = 0; sequence < 2; ++sequence)

@@ -185,7 +185,7 @@ struct Study
         , accelerations(accelerationDifferences(subject.character, how.fps))
         , settings(how)
         , transitions(transitionTable(distances, subject.character.layout(), settings))
-        , costs(transitions.cost, transitions.length, static_cast<double>(distances.maxCoeff()),
+        , costs(*transitions.cost, *transitions.length, static_cast<double>(distances.maxCoeff()),
                 subject.character.layout())
         , graph(essentialGraph(costs, 0.01).graph)
     {

@@ -94,15 +94,16 @@ TEST(StepCosts, CountFeetThatDifferAndMovementsThatDo)
     // Two takes of three frames each, z up: the second one is the first, a quarter turn on and half as fast.
     const std::array<std::int64_t, 2> counts{3, 3};
     const FrameLayout layout(counts);
-    RootPoses roots{.up = UpAxis::Z, .turns = Table<float>::Zero(6, 6)};
+    Table<float> turns = Table<float>::Zero(6, 6);
+    turns.block(0, 3, 3, 3) = static_cast<float>(-std::numbers::pi / 2); // lays the column on the row
+    turns.block(3, 0, 3, 3) = static_cast<float>(std::numbers::pi / 2);
+    RootPoses roots{.up = UpAxis::Z, .turns = SharedTable<float>(turns)};
     roots.stances = {.feet = {{"left", {}}, {"right", {}}}, .height = 2};
     roots.stances.standing = {left, left | right, right, right, right, 0};
     for (int f = 0; f < 3; ++f)
         roots.centres.emplace_back(0.2 * f, 0, 1);
     for (int f = 0; f < 3; ++f)
         roots.centres.emplace_back(0, 0.1 * f, 1);
-    roots.turns.block(0, 3, 3, 3) = static_cast<float>(-std::numbers::pi / 2); // lays the column on the row
-    roots.turns.block(3, 0, 3, 3) = static_cast<float>(std::numbers::pi / 2);
     for (const Vec3d& centre : roots.centres) {
         roots.stances.places.push_back(centre); // the left foot goes along, the right one stays
         roots.stances.places.emplace_back(0, 0, 0);
@@ -130,8 +131,9 @@ TEST(StepCosts, CountFeetThatDifferAndMovementsThatDo)
 TEST(StepCosts, AreNothingWhereNobodyKnowsOfFeet)
 {
     const std::array<std::int64_t, 1> counts{2};
-    const RootPoses roots{
-        .up = UpAxis::Y, .centres = {{0, 0, 0}, {1, 0, 0}}, .turns = Table<float>::Zero(2, 2)};
+    const RootPoses roots{.up = UpAxis::Y,
+                          .centres = {{0, 0, 0}, {1, 0, 0}},
+                          .turns = SharedTable<float>(Table<float>::Zero(2, 2))};
     const StepCosts parts = stepCosts(roots, FrameLayout(counts), 25);
     EXPECT_TRUE((parts.contacts == 0).all() && (parts.velocity == 0).all());
     Table<float> steps = Table<float>::Constant(2, 2, 0.5F);

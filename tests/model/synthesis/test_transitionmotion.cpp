@@ -14,13 +14,15 @@ namespace {
 RootPoses trail(const std::vector<GroundMotion>& motions, const Vec3d& centre = Vec3d(0, 0, 1))
 {
     const auto count = static_cast<Eigen::Index>(motions.size());
-    RootPoses roots{.up = UpAxis::Z, .turns = Table<float>(count, count)};
+    RootPoses roots{.up = UpAxis::Z};
+    Table<float> turns(count, count);
     for (std::size_t i = 0; i < motions.size(); ++i) {
         roots.centres.push_back(motions[i](centre, Ground(UpAxis::Z)));
         for (std::size_t j = 0; j < motions.size(); ++j)
-            roots.turns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+            turns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
                 static_cast<float>(wrappedAngle(motions[i].turn - motions[j].turn));
     }
+    roots.turns = SharedTable<float>(std::move(turns));
     return roots;
 }
 

@@ -36,12 +36,13 @@ struct WalkWorld
             }
         }
         const auto frames = static_cast<Eigen::Index>(headings.size());
-        roots.turns = Table<float>(frames, frames);
+        Table<float> turns(frames, frames);
         for (Eigen::Index i = 0; i < frames; ++i) {
             for (Eigen::Index j = 0; j < frames; ++j)
-                roots.turns(i, j) = static_cast<float>(wrappedAngle(headings[static_cast<std::size_t>(i)] -
-                                                                    headings[static_cast<std::size_t>(j)]));
+                turns(i, j) = static_cast<float>(wrappedAngle(headings[static_cast<std::size_t>(i)] -
+                                                              headings[static_cast<std::size_t>(j)]));
         }
+        roots.turns = SharedTable<float>(std::move(turns));
     }
 
     /// Both windows advance together as far as their sequences go.
