@@ -143,7 +143,7 @@ std::size_t LivePlan::dimensionOf(std::size_t space) const
 void LivePlan::addCandidates(std::size_t space)
 {
     constexpr std::array<std::size_t, 4> coarse{1, 7, 4, 3}; // values of a parameter, by their count
-    constexpr std::array<std::size_t, 4> following{1, 5, 3, 2};
+    constexpr std::array<std::size_t, 4> following{1, 13, 3, 2};
     const std::size_t dimension = dimensionOf(space);
     const ParameterMap& map = m_graph->spaces[space]->map;
     const auto add = [&](std::size_t values, std::vector<LiveInput>& inputs) {

@@ -18,7 +18,7 @@ struct LivePathSettings
 {
     double margin = 0.15;          ///< kept beyond clearances where there is room for it, metres
     double planSeconds = 0.2;      ///< from plan to plan
-    double firstSeconds = 0.3;     ///< for which a candidate is played ahead
+    double firstSeconds = 0.2;     ///< for which a candidate is played ahead
     double nextSeconds = 0.8;      ///< and then each of what may follow
     double tolerance = 0.1;        ///< deviation that costs 1, metres
     double speedWeight = 0.3;      ///< of standing still
