@@ -37,47 +37,58 @@ void roundToGrid(const float* distances, int count, double unit, double* cells)
 }
 
 /// A row of the programme. Runs of steps down or to the right begin where the last step was another, so that
-/// a cell needs the sums of the `slope` cells above and before it only, and the columns of a row do not wait
-/// for each other. \param run  scratch, a key for each column.
-QUADRILLE_SIMD_CLONES
-void fillRow(const SolverRow& row, double factor, double offset, bool isFirst, double* run)
+/// a cell needs the sums of the `Slope` cells above and before it only, and the columns of a row do not wait
+/// for each other.
+template <int Slope>
+[[gnu::always_inline]] inline void fillRowOf(const SolverRow& row, double factor, double offset, bool isFirst)
 {
     double* const keys = row.keys;
-    double* const all = row.all;
     double* const notDown = row.notDown;
     double* const notRight = row.notRight;
-    const double* const before = all - row.stride - 1;
+    const double* const before = row.all - row.stride - 1;
     // notDown keeps the diagonal steps until rights are known.
 #pragma omp simd
     for (int c = 0; c < row.columns; ++c) {
         keys[c] = factor * row.cells[c] + offset;
         notDown[c] = before[c] + keys[c];
-        run[c] = 0;
     }
     if (isFirst)
         notDown[0] = keys[0];
-    std::copy_n(notDown, row.columns, notRight);
-    for (std::ptrdiff_t s = 1; s <= row.slope; ++s) {
-        const double* const start = notDown - s * row.stride;
-        const double* const passed = keys - (s - 1) * row.stride;
 #pragma omp simd
-        for (int c = 0; c < row.columns; ++c) {
-            run[c] += passed[c];
-            notRight[c] = lesser(notRight[c], start[c] + run[c]);
+    for (int c = 0; c < row.columns; ++c) {
+        double run = 0;
+        double least = notDown[c];
+        for (std::ptrdiff_t s = 1; s <= Slope; ++s) {
+            run += keys[c - (s - 1) * row.stride];
+            least = lesser(least, notDown[c - s * row.stride] + run);
         }
+        notRight[c] = least;
     }
-    std::copy_n(notRight, row.columns, all);
-    std::fill_n(run, row.columns, 0.0);
-    for (std::ptrdiff_t s = 1; s <= row.slope; ++s) {
-        const double* const start = notRight - s;
-        const double* const passed = keys - (s - 1);
 #pragma omp simd
-        for (int c = 0; c < row.columns; ++c) {
-            run[c] += passed[c];
-            const double rights = start[c] + run[c];
-            notDown[c] = lesser(notDown[c], rights);
-            all[c] = lesser(all[c], rights);
+    for (int c = 0; c < row.columns; ++c) {
+        double run = 0;
+        double rights = CostGrid::outOfReach;
+        for (std::ptrdiff_t s = 1; s <= Slope; ++s) {
+            run += keys[c - s + 1];
+            rights = lesser(rights, notRight[c - s] + run);
         }
+        notDown[c] = lesser(notDown[c], rights);
+        row.all[c] = lesser(notRight[c], rights);
+    }
+}
+
+QUADRILLE_SIMD_CLONES
+void fillRow(const SolverRow& row, double factor, double offset, bool isFirst)
+{
+    switch (row.slope) {
+    case 2:
+        return fillRowOf<2>(row, factor, offset, isFirst);
+    case 3:
+        return fillRowOf<3>(row, factor, offset, isFirst);
+    case 4:
+        return fillRowOf<4>(row, factor, offset, isFirst);
+    default:
+        return fillRowOf<5>(row, factor, offset, isFirst);
     }
 }
 
@@ -103,7 +114,6 @@ void WarpSolver::setRow(int row, const float* distances, double unit)
 
 WarpSolver::Best WarpSolver::solve(double factor, double offset)
 {
-    std::vector<double> run(static_cast<std::size_t>(m_columns));
     for (int row = 0; row < m_rows; ++row) {
         const std::size_t first = at(row, 0);
         fillRow({.cells = m_cells.data() + first,
@@ -114,7 +124,7 @@ WarpSolver::Best WarpSolver::solve(double factor, double offset)
                  .stride = static_cast<std::ptrdiff_t>(m_stride),
                  .columns = m_columns,
                  .slope = m_slope},
-                factor, offset, row == 0, run.data());
+                factor, offset, row == 0);
     }
     Best best{.key = m_all[at(m_rows - 1, m_columns - 1)], .path = {}};
     if (best.key >= CostGrid::unknown)
