@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tbb/parallel_for.h>
 
 namespace quadrille {
 
