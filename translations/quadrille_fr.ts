@@ -6251,13 +6251,8 @@
         <translation>Triangles</translation>
     </message>
     <message>
-        <source>How many triangles poses are compared by, spread evenly over the surface; fewer take less time and are less exact</source>
-        <translation>Par combien de triangles les poses sont comparées, répartis également sur la surface ; moins prend moins de temps et est moins exact</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <comment>triangles</comment>
-        <translation>tous</translation>
+        <source>How many triangles, or vertices, poses are compared by, spread evenly over the surface; fewer take less time and are less exact. Automatic: all, or 1,000 where there are more than 5,000 frames</source>
+        <translation>Par combien de triangles, ou de sommets, les poses sont comparées, répartis également sur la surface ; moins prend moins de temps et est moins exact. Automatique : tous, ou 1 000 s’il y a plus de 5 000 images</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,7 @@
 #include "model/core/error.h"
 #include "model/core/message.h"
 #include "model/geometry/procrustes.h"
-#include "model/geometry/spreadtriangles.h"
+#include "model/geometry/spreadpoints.h"
 #include "model/transition/posedistancetile.h"
 
 #include <Eigen/LU>
@@ -29,8 +29,9 @@ void requireValid(const PoseDistanceSettings& settings)
                     {.values = {{"reason", "The weight of stretch must not be negative"},
                                 {"remedy", "The paper's weight is 0.01."}}});
     if (settings.triangles.value_or(1) < 1)
-        throw Error(ErrorCode::BadArgument, {.values = {{"reason", "At least one triangle must be compared"},
-                                                        {"remedy", "Leave the number out to compare all."}}});
+        throw Error(ErrorCode::BadArgument,
+                    {.values = {{"reason", "At least one triangle must be compared"},
+                                {"remedy", "Leave the number out for the usual one."}}});
 }
 
 /// All pairs of frames are compared, and several tables of them are in memory at once.
@@ -45,6 +46,16 @@ void requireComparable(const CharacterFrames& character)
                                            std::to_string(mostFrames)},
                             {"remedy", QUADRILLE_MESSAGE("Leave some takes or parts of them out, or lower "
                                                          "the rate of the project.")}}});
+}
+
+/// How many triangles or vertices may be compared.
+std::size_t mostCompared(const PoseDistanceSettings& settings, NodeIndex frameCount)
+{
+    if (settings.triangles)
+        return static_cast<std::size_t>(*settings.triangles);
+    return frameCount > PoseDistanceSettings::mostFramesByAll
+               ? static_cast<std::size_t>(PoseDistanceSettings::usualTriangles)
+               : std::numeric_limits<std::size_t>::max();
 }
 
 /// Looks at every frame once: its centre, and the triangles that have no area in it.
@@ -75,13 +86,15 @@ PoseDistanceInputs survey(const CharacterFrames& character, std::span<const Pose
             used.push_back(triangles[t]);
     }
     for (const PoseDistanceSettings& metric : metrics) {
-        const bool isSpread = metric.triangles && !used.empty();
-        const std::vector<Triangle> compared =
-            isSpread ? spreadTriangles(used, character.frame(0).positions(),
-                                       static_cast<std::size_t>(*metric.triangles))
-                     : used;
-        inputs.metrics.push_back(
-            {metric, cornerSlices(compared), static_cast<std::int64_t>(compared.size())});
+        inputs.metrics.push_back({.settings = metric, .corners = {}, .triangleCount = 0, .vertices = {}});
+        MetricInputs& compared = inputs.metrics.back();
+        const std::size_t most = mostCompared(metric, character.frameCount());
+        const std::vector<Triangle> some =
+            used.size() > most ? spreadTriangles(used, character.frame(0).positions(), most) : used;
+        compared.corners = cornerSlices(some);
+        compared.triangleCount = static_cast<std::int64_t>(some.size());
+        if (metric.metric == PoseMetric::Euclidean && character.frameCount() > 0)
+            compared.vertices = spreadPoints(character.frame(0).positions(), most);
     }
     return inputs;
 }

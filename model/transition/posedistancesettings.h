@@ -19,9 +19,11 @@ struct PoseDistanceSettings
     PoseMetric metric = PoseMetric::Surface;
     /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
     double stretchWeight = 0.01;
-    /// How many triangles are compared, spread evenly over the surface, at least 1; all where it is empty.
-    /// Surface metric only.
+    /// How many triangles, by the Euclidean metric vertices, are compared, spread evenly over the surface, at
+    /// least 1. Where it is empty all are, or so many as are usual where there are many frames.
     std::optional<std::int64_t> triangles;
+    static constexpr std::int64_t mostFramesByAll = 5'000;
+    static constexpr std::int64_t usualTriangles = 1'000;
 
     bool operator==(const PoseDistanceSettings&) const = default;
 };

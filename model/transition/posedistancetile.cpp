@@ -108,9 +108,9 @@ std::vector<double> sumSlices(const FrameRun& rows, const FrameRun& columns, con
 }
 
 /// \param distances  out: of the pairs of a tile, by one metric.
-void setDistances(const PoseDistanceInputs& inputs, const MetricInputs& metric, const FrameRun& rows,
-                  const FrameRun& columns, const PairTile& tile, const std::vector<RotationF>& rotations,
-                  const Progress& progress, std::span<float> distances)
+void setDistances(const MetricInputs& metric, const FrameRun& rows, const FrameRun& columns,
+                  const PairTile& tile, const std::vector<RotationF>& rotations, const Progress& progress,
+                  std::span<float> distances)
 {
     std::vector<double> sums;
     std::size_t count = 0;
@@ -125,10 +125,13 @@ void setDistances(const PoseDistanceInputs& inputs, const MetricInputs& metric, 
             [&](const TriangleSlice& row, const TriangleSlice* others, const RotationF* turns, std::size_t n,
                 double* out) { addSurfaceDistances(row, others, turns, n, weight, out); });
     } else {
-        count = inputs.character.vertexCount();
-        sums = sumSlices<VertexSlice>(rows, columns, tile, rotations,
-                                      (count + sliceVertices - 1) / sliceVertices, progress, fillVertexSlice,
-                                      addEuclideanDistances);
+        count = metric.vertices.size();
+        sums = sumSlices<VertexSlice>(
+            rows, columns, tile, rotations, vertexSliceCount(metric.vertices), progress,
+            [&](const CentredPose& pose, std::size_t slice, VertexSlice& out) {
+                fillVertexSlice(pose, ofVertexSlice(metric.vertices, slice), out);
+            },
+            addEuclideanDistances);
     }
     std::transform(sums.begin(), sums.end(), distances.begin(),
                    [count](double sum) { return static_cast<float>(sum / static_cast<double>(count)); });
@@ -136,17 +139,27 @@ void setDistances(const PoseDistanceInputs& inputs, const MetricInputs& metric, 
 
 } // namespace
 
-void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out)
+void fillVertexSlice(const CentredPose& pose, std::span<const std::size_t> vertices, VertexSlice& out)
 {
-    const std::size_t first = slice * sliceVertices;
-    const std::size_t count = std::min(sliceVertices, pose.positions.size() - first);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         auto& row = out.coordinates[axis];
-        for (std::size_t v = 0; v < count; ++v)
-            row[v] = static_cast<float>(double{pose.positions[first + v][static_cast<Eigen::Index>(axis)]} -
-                                        pose.centre[static_cast<Eigen::Index>(axis)]);
-        std::fill(row.begin() + static_cast<std::ptrdiff_t>(count), row.end(), 0.0F);
+        const double centre = pose.centre[static_cast<Eigen::Index>(axis)];
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            row[v] = static_cast<float>(double{pose.positions[vertices[v]][static_cast<Eigen::Index>(axis)]} -
+                                        centre);
+        std::fill(row.begin() + std::ssize(vertices), row.end(), 0.0F);
     }
+}
+
+std::size_t vertexSliceCount(std::span<const std::size_t> vertices)
+{
+    return (vertices.size() + sliceVertices - 1) / sliceVertices;
+}
+
+std::span<const std::size_t> ofVertexSlice(std::span<const std::size_t> vertices, std::size_t slice)
+{
+    const std::size_t first = slice * sliceVertices;
+    return vertices.subspan(first, std::min(sliceVertices, vertices.size() - first));
 }
 
 std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
@@ -163,8 +176,8 @@ std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const Pair
     for (std::size_t m = 0; m < metrics; ++m) {
         const double share = 0.84 / static_cast<double>(metrics);
         const double begin = 0.16 + share * static_cast<double>(m);
-        setDistances(inputs, inputs.metrics[m], rows, columns, tile, rotations,
-                     progress.part(begin, begin + share), std::span(values).subspan(m * pairs, pairs));
+        setDistances(inputs.metrics[m], rows, columns, tile, rotations, progress.part(begin, begin + share),
+                     std::span(values).subspan(m * pairs, pairs));
     }
     return values;
 }

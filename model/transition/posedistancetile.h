@@ -16,8 +16,9 @@ namespace quadrille {
 struct MetricInputs
 {
     PoseDistanceSettings settings;
-    std::vector<CornerSlice> corners; ///< of the triangles to use
-    std::int64_t triangleCount = 0;   ///< in `corners`
+    std::vector<CornerSlice> corners;  ///< of the triangles to use
+    std::int64_t triangleCount = 0;    ///< in `corners`
+    std::vector<std::size_t> vertices; ///< to use; Euclidean metric only
 };
 
 /// What all tiles of a table of distances have in common.
@@ -37,7 +38,11 @@ struct PoseDistanceInputs
 std::vector<float> poseDistanceTile(const PoseDistanceInputs& inputs, const PairTile& tile,
                                     const Progress& progress);
 
-/// Some vertices of a pose, for the kernels.
-void fillVertexSlice(const CentredPose& pose, std::size_t slice, VertexSlice& out);
+/// Some vertices of a pose, for the kernels. \pre At most sliceVertices.
+void fillVertexSlice(const CentredPose& pose, std::span<const std::size_t> vertices, VertexSlice& out);
+
+/// So many slices hold all that is listed, and those that one of them holds.
+std::size_t vertexSliceCount(std::span<const std::size_t> vertices);
+std::span<const std::size_t> ofVertexSlice(std::span<const std::size_t> vertices, std::size_t slice);
 
 } // namespace quadrille

@@ -70,15 +70,15 @@ void GraphSettingsPanel::addDistances()
                        {.path = "graph.stretch_weight", .step = 0.01, .decimals = 3});
     m_fields.addNumber({"graphTriangles", [] { return tr("Triangles"); },
                         [] {
-                            return tr("How many triangles poses are compared by, spread evenly over the "
-                                      "surface; fewer take less time and are less exact");
-                        },
-                        [](const GraphEntry& entry) { return entry.pose.metric == PoseMetric::Surface; }},
+                            return tr("How many triangles, or vertices, poses are compared by, spread "
+                                      "evenly over the surface; fewer take less time and are less exact. "
+                                      "Automatic: all, or 1,000 where there are more than 5,000 frames");
+                        }},
                        at(&GraphEntry::pose, &PoseDistanceSettings::triangles),
                        {.path = "graph.triangles",
                         .step = 500,
                         .decimals = 0,
-                        .automatic = [] { return tr("all", "triangles"); },
+                        .automatic = [] { return tr("automatic"); },
                         .highest = 1e7,
                         .first = 2000});
     m_greatest = m_fields.addNumber(

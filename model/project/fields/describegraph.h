@@ -20,12 +20,13 @@ void describe(Fields& f, Type<GraphEntry>)
     f.field("stretch_weight", at(&E::pose, &PoseDistanceSettings::stretchWeight),
             {.help = "Of the stretch against the rotation.",
              .limits = Limits::from(0, "The weight of the stretch is below zero")});
-    f.field("triangles", at(&E::pose, &PoseDistanceSettings::triangles),
-            {.help =
-                 "How many triangles poses are compared by, spread evenly over the surface; all where it is "
-                 "left out.",
-             .limits =
-                 Limits::from(1, "At least one triangle must be compared", "Leave it out to compare all.")});
+    f.field(
+        "triangles", at(&E::pose, &PoseDistanceSettings::triangles),
+        {.help =
+             "How many triangles, or vertices, poses are compared by, spread evenly over the surface; where "
+             "it is left out all, or 1,000 where there are more than 5,000 frames.",
+         .limits = Limits::from(1, "At least one triangle must be compared",
+                                "Leave it out for the usual number.")});
     f.word("cost", &E::cost,
            words<TransitionCost>({{"sum", TransitionCost::Sum}, {"mean", TransitionCost::Mean}}),
            {.help = "Of a transition: the sum of the step costs on its way, as published, or their mean."});

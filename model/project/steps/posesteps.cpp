@@ -32,7 +32,11 @@ bool isSurface(const PoseDistanceSettings& settings)
     return settings.metric == PoseMetric::Surface;
 }
 
-const PoseDistanceSettings euclidean{.metric = PoseMetric::Euclidean};
+/// Beside the distances that a graph is made from.
+PoseDistanceSettings euclideanOf(const PoseDistanceSettings& settings)
+{
+    return {.metric = PoseMetric::Euclidean, .triangles = settings.triangles};
+}
 
 Result distanceResult(const CharacterInputs& work, const std::string& name,
                       const PoseDistanceSettings& settings, PoseDistances distances)
@@ -79,7 +83,7 @@ BuildStep distanceStep(const CharacterInputs& work, const std::string& name,
                        const PoseDistanceSettings& settings)
 {
     BuildStep step = poseStep(work, name);
-    step.version = 2;
+    step.version = 3;
     step.settings += distanceText(settings).dump();
     if (step.inputs.empty()) // else frames are not known before
         step.bytes = bytesOfTables(work, 1);
@@ -110,10 +114,11 @@ BuildStep rootPosesStep(const CharacterInputs& work)
 std::vector<BuildStep> poseSteps(const CharacterInputs& work)
 {
     const PoseDistanceSettings& settings = work.graph.pose;
+    const PoseDistanceSettings euclidean = euclideanOf(settings);
     BuildStep distances = distanceStep(work, graphstep::poseDistance, settings);
     distances.along = {work.stepName(graphstep::euclideanDistance), work.stepName(graphstep::rootPoses)};
-    distances.compute = [work, settings, along = distances.along](const StepContext& context,
-                                                                  const Progress& progress) {
+    distances.compute = [work, settings, euclidean, along = distances.along](const StepContext& context,
+                                                                             const Progress& progress) {
         const bool wantsEuclidean = context.isWanted && context.isWanted(along[0]);
         const bool wantsRoots = context.isWanted && context.isWanted(along[1]);
         std::vector<PoseDistanceSettings> metrics{settings};
@@ -139,7 +144,7 @@ std::vector<BuildStep> poseSteps(const CharacterInputs& work)
 nlohmann::json distanceText(const PoseDistanceSettings& settings)
 {
     nlohmann::json text{isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight};
-    if (isSurface(settings) && settings.triangles)
+    if (settings.triangles)
         text.push_back(*settings.triangles);
     return text;
 }

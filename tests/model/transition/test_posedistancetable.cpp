@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/geometry/spreadtriangles.h"
+#include "model/geometry/procrustes.h"
+#include "model/geometry/spreadpoints.h"
 #include "model/project/document/findentry.h"
 #include "tests/model/transition/posedistancetest.h"
 #include "tests/model/transition/swayingtube.h"
 
 #include <atomic>
 #include <limits>
+#include <optional>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -98,8 +100,7 @@ TEST(PoseDistances, AreMeansOverSomeTrianglesWhereSoManyAreCompared)
     const MeshSequence tube = swayingTube(tubeTopology(12, 60), 12, 40, 0.1);
     const CharacterFrames frames = characterOf(tube);
     const auto all = static_cast<std::int64_t>(frames.triangles().size());
-    const std::vector<PoseDistanceSettings> metrics{
-        {}, {.triangles = 300}, {.triangles = all}, {.metric = PoseMetric::Euclidean, .triangles = 300}};
+    const std::vector<PoseDistanceSettings> metrics{{}, {.triangles = 300}, {.triangles = all}};
     const PosePairs pairs = posePairs(frames, metrics);
     const PoseDistances& whole = pairs.distances[0];
     const PoseDistances& some = pairs.distances[1];
@@ -114,9 +115,51 @@ TEST(PoseDistances, AreMeansOverSomeTrianglesWhereSoManyAreCompared)
     EXPECT_LT((some.distances - whole.distances).abs().maxCoeff(), 0.02F * whole.distances.maxCoeff());
     EXPECT_FALSE((some.distances == whole.distances).all());
     EXPECT_TRUE((pairs.distances[2].distances == whole.distances).all());
-    EXPECT_TRUE(
-        (pairs.distances[3].distances == poseDistances(frames, {.metric = PoseMetric::Euclidean}).distances)
-            .all());
+}
+
+TEST(PoseDistances, AreMeansOverAsManyVertices)
+{
+    const CharacterFrames frames = characterOf(swayingTube(tubeTopology(12, 60), 12, 40, 0.1));
+    const std::vector<PoseDistanceSettings> metrics{
+        {.metric = PoseMetric::Euclidean},
+        {.metric = PoseMetric::Euclidean, .triangles = 200},
+        {.metric = PoseMetric::Euclidean, .triangles = frames.vertexCount()}};
+    const PosePairs pairs = posePairs(frames, metrics);
+    const Table<float>& whole = pairs.distances[0].distances;
+    const Table<float>& some = pairs.distances[1].distances;
+    const std::vector<std::size_t> compared = spreadPoints(frames.frame(0).positions(), 200);
+    ASSERT_EQ(compared.size(), 200U);
+    for (const auto& [i, j] : {std::pair<NodeIndex, NodeIndex>{0, 1}, {3, 39}, {17, 20}}) {
+        const Frame a = frames.frame(i);
+        const Frame b = frames.frame(j);
+        // The whole bodies are laid onto each other.
+        const RigidMotion align = rigidProcrustes(b.positions(), a.positions());
+        double sum = 0;
+        for (const std::size_t v : compared)
+            sum += (a.positions()[v].cast<double>() - align(b.positions()[v].cast<double>())).norm();
+        EXPECT_NEAR(some(i, j), sum / 200, 1e-6);
+    }
+    EXPECT_LT((some - whole).abs().maxCoeff(), 0.03F * whole.maxCoeff());
+    EXPECT_FALSE((some == whole).all());
+    EXPECT_TRUE((pairs.distances[2].distances == whole).all());
+}
+
+TEST(PoseDistances, AreByTheUsualTrianglesWhereThereAreManyFrames)
+{
+    constexpr std::int64_t most = PoseDistanceSettings::mostFramesByAll;
+    constexpr std::int64_t usual = PoseDistanceSettings::usualTriangles;
+    constexpr std::int64_t any = 1'000'000;
+    const CharacterFrames few = characterOf(swayingTube(tubeTopology(20, 52), 20, most, 0.1));
+    const CharacterFrames many = characterOf(swayingTube(tubeTopology(20, 52), 20, most + 1, 0.1));
+    ASSERT_GT(few.vertexCount(), usual);
+    for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
+        const auto ofFirst = [&](const CharacterFrames& frames, std::optional<std::int64_t> triangles) {
+            return poseDistancesOfFirst(frames, 2, {.metric = metric, .triangles = triangles});
+        };
+        EXPECT_TRUE((ofFirst(many, {}) == ofFirst(many, usual)).all());
+        EXPECT_FALSE((ofFirst(many, {}) == ofFirst(many, any)).all());
+        EXPECT_TRUE((ofFirst(few, {}) == ofFirst(few, any)).all());
+    }
 }
 
 TEST(PoseDistances, SeldomReadsFramesAgainThatTheCacheDoesNotHold)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-#include "model/geometry/spreadtriangles.h"
+#include "model/geometry/spreadpoints.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -80,4 +81,26 @@ TEST(SpreadTriangles, AreTakenFromTrianglesAtOnePlace)
     const std::vector<Vec3f> positions(3, Vec3f(1, 2, 3));
     const std::vector<Triangle> same(10, {VertexIndex(0), VertexIndex(1), VertexIndex(2)});
     EXPECT_EQ(spreadTriangles(same, positions, 4).size(), 4U);
+}
+
+TEST(SpreadPoints, AreRisingPlacesInEachPartOfThePlane)
+{
+    const Sheet sheet(15); // 16 × 16 points
+    const std::vector<std::size_t> spread = spreadPoints(sheet.positions, 64);
+    ASSERT_EQ(spread.size(), 64U);
+    EXPECT_TRUE(std::ranges::is_sorted(spread, std::less_equal<>()));
+    std::array<int, 16> counts{};
+    for (const std::size_t place : spread)
+        ++counts[place / 16 / 4 * 4 + place % 16 / 4];
+    for (const int count : counts)
+        EXPECT_EQ(count, 4);
+}
+
+TEST(SpreadPoints, AreAllWhereThereAreNoMore)
+{
+    const std::vector<Vec3f> points(5, Vec3f(1, 2, 3));
+    EXPECT_EQ(spreadPoints(points, 5), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(spreadPoints(points, 50), (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    EXPECT_EQ(spreadPoints(points, 3).size(), 3U);
+    EXPECT_TRUE(spreadPoints({}, 5).empty());
 }
