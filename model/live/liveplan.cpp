@@ -116,6 +116,7 @@ LivePlan::LivePlan(const LiveGraph& graph, const LiveSettings& live, PathCourse 
     m_sampleFrames = countOf(sampleSeconds, 1 / m_graph->fps);
     m_sampleSeconds = m_sampleFrames / m_graph->fps;
     m_firstSamples = countOf(settings.firstSeconds, m_sampleSeconds);
+    m_severalSamples = countOf(settings.severalSeconds, m_sampleSeconds);
     m_nextSamples = countOf(settings.nextSeconds, m_sampleSeconds);
     m_steps.resize(m_graph->spaces.size());
     for (std::size_t space = 0; space < m_graph->spaces.size(); ++space) {
@@ -143,7 +144,7 @@ std::size_t LivePlan::dimensionOf(std::size_t space) const
 void LivePlan::addCandidates(std::size_t space)
 {
     constexpr std::array<std::size_t, 4> coarse{1, 7, 4, 3}; // values of a parameter, by their count
-    constexpr std::array<std::size_t, 4> following{1, 13, 3, 2};
+    constexpr std::array<std::size_t, 4> following{1, 13, 4, 2};
     const std::size_t dimension = dimensionOf(space);
     const ParameterMap& map = m_graph->spaces[space]->map;
     const auto add = [&](std::size_t values, std::vector<LiveInput>& inputs) {
@@ -173,6 +174,11 @@ LiveStart LivePlan::usualStart()
     start.root.shift = m_route.at(0).head<2>();
     start.root.turn = m_route.directionFrom(0, 0.5) - angleOf(way);
     return start;
+}
+
+int LivePlan::firstSamples(std::size_t space) const
+{
+    return dimensionOf(space) > 1 ? m_severalSamples : m_firstSamples;
 }
 
 LiveInput LivePlan::wantedIn(const LiveState& state) const
@@ -274,7 +280,8 @@ double LivePlan::costOf(const LiveInput& input, double bound)
 {
     Walked first = m_start;
     first.cost = changeCost(m_present, input);
-    if (!play(first, input, m_firstSamples, bound))
+    first.allSamples = firstSamples(input.space) + m_nextSamples;
+    if (!play(first, input, firstSamples(input.space), bound))
         return bound;
     const auto tryNext = [&](const LiveInput& next) {
         Walked on = first;
@@ -296,7 +303,7 @@ double LivePlan::costOf(const LiveInput& input, double bound)
 /// \return whether it costs less than the bound.
 bool LivePlan::play(Walked& walked, const LiveInput& input, int samples, double bound)
 {
-    const double share = 1.0 / (m_firstSamples + m_nextSamples);
+    const double share = 1.0 / walked.allSamples;
     if (walked.cost >= bound)
         return false;
     m_player.restore(walked.state);

@@ -19,6 +19,7 @@ struct LivePathSettings
     double margin = 0.15;          ///< kept beyond clearances where there is room for it, metres
     double planSeconds = 0.2;      ///< from plan to plan
     double firstSeconds = 0.2;     ///< for which a candidate is played ahead
+    double severalSeconds = 0.3;   ///< the same of several parameters, as fewer values of each may follow
     double nextSeconds = 0.8;      ///< and then each of what may follow
     double tolerance = 0.1;        ///< deviation that costs 1, metres
     double speedWeight = 0.3;      ///< of standing still
@@ -79,11 +80,14 @@ private:
         double along = 0;
         double cost = 0;
         int samples = 0;
+        int allSamples = 1;                   ///< until it ends
         std::array<Vec2d, trailLength> trail; ///< of the last samples
     };
 
     std::size_t dimensionOf(std::size_t space) const;
     bool canPlay(std::size_t space) const;
+    /// For which a candidate is played ahead.
+    int firstSamples(std::size_t space) const;
     std::optional<LiveInput> candidate();
     void addCandidates(std::size_t space);
     LiveStart usualStart();
@@ -101,6 +105,7 @@ private:
     LivePlayer m_player;
     int m_sampleFrames = 1;
     int m_firstSamples = 1;
+    int m_severalSamples = 1; ///< in place of the first, of several parameters
     int m_nextSamples = 1;
     double m_sampleSeconds = 0;
     double m_fastest = 0; ///< of the spaces, metres a second
