@@ -49,7 +49,8 @@ LoadedFrame loadFrame(const MeshSequence& sequence, FrameIndex frame)
 FrameLoader::FrameLoader(QObject* parent, int threads) : QObject(parent)
 {
     for (int i = 0; i < threads; ++i)
-        m_threads.emplace_back([this] { run(); });
+        m_threads.emplace_back([this] { run(Tasks::All); });
+    m_threads.emplace_back([this] { run(Tasks::Wishes); });
 }
 
 FrameLoader::~FrameLoader()
@@ -83,6 +84,7 @@ void FrameLoader::setSequence(int stream, const MeshSequence& sequence)
     changed.wanted.reset();
     changed.aheadLeft = 0;
     changed.frameBytes = 0;
+    changed.inWork.clear();
 }
 
 void FrameLoader::removeStream(int stream)
@@ -111,35 +113,39 @@ int FrameLoader::framesThatFit() const
     for (const auto& [id, stream] : m_streams)
         bytes += stream.frameBytes;
     return static_cast<int>(
-        std::clamp<std::size_t>(MediaCache::shared()->statistics().budget / 2 / bytes, 1, lookahead));
+        std::clamp<std::size_t>(MediaCache::shared()->statistics().budget / 4 * 3 / bytes, 1, lookahead));
 }
 
-std::optional<FrameLoader::Task> FrameLoader::takeTask()
+std::optional<FrameLoader::Task> FrameLoader::takeTask(Tasks tasks)
 {
     for (auto& [id, stream] : m_streams) {
         if (stream.wanted) {
             const Task task{id, stream.sequence, *stream.wanted, true, stream.lastWish};
             stream.wanted.reset();
+            stream.inWork.push_back(task.frame);
             return task;
         }
     }
     for (auto& [id, stream] : m_streams) {
-        if (stream.aheadLeft > 0) {
+        while (tasks == Tasks::All && stream.aheadLeft > 0) {
             --stream.aheadLeft;
             stream.ahead =
                 FrameIndex(wrapped(stream.ahead.value + stream.step, stream.sequence->frameCount()));
+            if (std::ranges::find(stream.inWork, stream.ahead) != stream.inWork.end())
+                continue;
+            stream.inWork.push_back(stream.ahead);
             return Task{id, stream.sequence, stream.ahead, false, 0};
         }
     }
     return std::nullopt;
 }
 
-void FrameLoader::run()
+void FrameLoader::run(Tasks tasks)
 {
     std::unique_lock lock(m_mutex);
     while (true) {
         std::optional<Task> task;
-        m_available.wait(lock, [&] { return m_stopping || (task = takeTask()).has_value(); });
+        m_available.wait(lock, [&] { return m_stopping || (task = takeTask(tasks)).has_value(); });
         if (m_stopping)
             return;
         lock.unlock();
@@ -147,8 +153,11 @@ void FrameLoader::run()
         if (task->isWanted)
             deliver(*task, frame);
         lock.lock();
-        if (const auto stream = m_streams.find(task->stream); stream != m_streams.end())
+        if (const auto stream = m_streams.find(task->stream);
+            stream != m_streams.end() && stream->second.sequence == task->sequence) {
             stream->second.frameBytes = bytesOf(frame);
+            stream->second.inWork.erase(std::ranges::find(stream->second.inWork, task->frame));
+        }
     }
 }
 

@@ -34,7 +34,8 @@ class FrameLoader : public QObject
     Q_OBJECT
 
 public:
-    /// \param threads  all are started here.
+    /// \param threads  that read ahead, and what is wanted; one more answers wishes alone, so that what is
+    /// there already need not wait until one of them is free. All are started here.
     explicit FrameLoader(QObject* parent = nullptr, int threads = usualThreads());
     /// Waits for the frames being read.
     ~FrameLoader() override;
@@ -49,10 +50,9 @@ public:
     void setSequence(int stream, const MeshSequence& sequence);
     /// Nothing of it is delivered any more.
     void removeStream(int stream);
-    /// Up to twelve frames are read ahead, two when standing, as far as half the media cache has room for
-    /// them.
-    /// \param step frames from one to the next while playing, negative backwards, 0 when standing.
-    /// \pre 0 ≤ frame < the sequence's frameCount().
+    /// Up to twelve frames are read ahead, two when standing, as far as three quarters of the media cache
+    /// have room for them. \param step frames from one to the next while playing, negative backwards, 0 when
+    /// standing. \pre 0 ≤ frame < the sequence's frameCount().
     void want(int stream, FrameIndex frame, int step = 0);
 
 signals:
@@ -67,9 +67,10 @@ private:
         int step = 0;
         FrameIndex ahead; ///< last frame asked for, from which reading ahead goes on
         int aheadLeft = 0;
-        std::int64_t lastWish = 0;     ///< wishes are numbered in their order
-        std::int64_t lastAnswered = 0; ///< an answer to an earlier wish comes too late
-        std::size_t frameBytes = 0;    ///< of the frame loaded last, with its textures
+        std::vector<FrameIndex> inWork; ///< what threads read now; no other waits for it to read ahead
+        std::int64_t lastWish = 0;      ///< wishes are numbered in their order
+        std::int64_t lastAnswered = 0;  ///< an answer to an earlier wish comes too late
+        std::size_t frameBytes = 0;     ///< of the frame loaded last, with its textures
     };
     struct Task
     {
@@ -80,9 +81,15 @@ private:
         std::int64_t wish = 0;
     };
 
-    void run();
-    std::optional<Task> takeTask();
-    /// How many frames of every stream half the media cache has room for.
+    enum class Tasks
+    {
+        All,
+        Wishes
+    };
+
+    void run(Tasks tasks);
+    std::optional<Task> takeTask(Tasks tasks);
+    /// How many frames of every stream three quarters of the media cache have room for.
     int framesThatFit() const;
     void deliver(const Task& task, const LoadedFrame& frame);
 
