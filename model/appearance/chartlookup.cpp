@@ -272,7 +272,8 @@ std::vector<Vec2f> ChartLookup::inverse(std::span<const float> nodes, const Warp
         columns.clear();
         for (std::size_t next = k; next < field.size() && place(next)[1] == y; ++next)
             columns.push_back(static_cast<float>(place(next)[0]));
-        undoWarp(nodes.data(), grid, columns.data(), y, static_cast<int>(columns.size()), field[k].data());
+        undoWarp(nodes.data(), grid, columns.data(), y, static_cast<int>(columns.size()), nullptr,
+                 field[k].data());
     }
     keepInside(field);
     return field;

@@ -22,6 +22,8 @@ public:
     std::int64_t count() const { return static_cast<std::int64_t>(m_used.texels.size()); }
     /// Column and row of a used texel.
     const std::array<int, 2>& place(std::size_t texel) const { return m_places[texel]; }
+    /// The used texel whose colour a used texel has: of gutters the nearest covered one, else itself.
+    std::size_t source(std::size_t texel) const { return m_sources[texel]; }
 
     /// Carries the field from covered texels into the gutters of their charts, then shortens displacements
     /// until a bilinear sample at their end takes texels of the chart only.

@@ -22,6 +22,36 @@ namespace {
 constexpr int valuesOfDecodedBlock = static_cast<int>(QuantisedSpace::blockSize);
 static_assert(valuesOfDecodedBlock % 3 == 0, "no texel lies in two blocks");
 
+/// The nodes around some texels, row by row.
+std::vector<NodeRun> nodesAround(const UsedTexels& used, const WarpGrid& grid)
+{
+    if (grid.nodes() == 0)
+        return {};
+    std::vector<std::uint8_t> isUsed(static_cast<std::size_t>(grid.nodes()));
+    for (const std::uint32_t texel : used.texels) {
+        const int x = static_cast<int>(texel) % used.width;
+        const int y = static_cast<int>(texel) / used.width;
+        for (int j = y / grid.spacing; j * grid.spacing < y + grid.spacing && j < grid.height; ++j)
+            for (int i = x / grid.spacing; i * grid.spacing < x + grid.spacing && i < grid.width; ++i)
+                isUsed[static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width) +
+                       static_cast<std::size_t>(i)] = 1;
+    }
+    std::vector<NodeRun> runs;
+    for (int j = 0; j < grid.height; ++j) {
+        const std::uint8_t* row =
+            isUsed.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.width);
+        for (int i = 0; i < grid.width; ++i) {
+            if (row[i] == 0)
+                continue;
+            if (i > 0 && row[i - 1] != 0)
+                ++runs.back().count;
+            else
+                runs.push_back({.row = j, .column = i, .count = 1});
+        }
+    }
+    return runs;
+}
+
 // Around the texels of an atlas, so that look-ups need not ask where it ends.
 constexpr std::uint32_t texelsBefore = 1;
 constexpr std::uint32_t texelsBehind = 2;
@@ -30,7 +60,9 @@ constexpr std::uint32_t texelsBehind = 2;
 
 AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> model,
                                      std::optional<Image> background)
-    : m_model(std::move(model)), m_lookup(m_model->texels)
+    : m_model(std::move(model))
+    , m_lookup(m_model->texels)
+    , m_nodes(nodesAround(m_model->texels, m_model->grid))
 {
     const UsedTexels& used = m_model->texels;
     const auto width = static_cast<std::uint32_t>(used.width);
@@ -39,13 +71,19 @@ AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> mode
     m_charts.resize(std::size_t{m_stride} *
                     (static_cast<std::size_t>(used.height) + texelsBefore + texelsBehind));
     m_squares.resize(m_charts.size());
+    const auto placeOf = [this](int x, int y) {
+        return m_origin + static_cast<std::uint32_t>(y) * m_stride + static_cast<std::uint32_t>(x);
+    };
     for (std::size_t t = 0; t < used.texels.size(); ++t) {
         const std::uint32_t texel = used.texels[t];
         const auto x = static_cast<int>(texel % width);
         const auto y = static_cast<int>(texel / width);
         const auto chart = static_cast<std::uint16_t>(used.charts[t] + 1);
-        m_places.push_back(m_origin + static_cast<std::uint32_t>(y) * m_stride +
-                           static_cast<std::uint32_t>(x));
+        m_places.push_back(placeOf(x, y));
+        if (used.covered[t] == 0) {
+            const auto& [sourceX, sourceY] = m_lookup.place(m_lookup.source(t));
+            m_gutters.emplace_back(m_places.back(), placeOf(sourceX, sourceY));
+        }
         m_charts[m_places.back()] = chart;
         if (!m_runs.empty() && m_runs.back().y == y && m_runs.back().chart == chart &&
             m_runs.back().x + m_runs.back().length == x)
@@ -239,34 +277,42 @@ Image AppearanceDecoder::dealigned(std::span<const std::uint8_t> colours, std::s
     return texture;
 }
 
+void AppearanceDecoder::fill(const Image& texture, std::vector<std::uint32_t>& plane) const
+{
+    plane.resize(m_charts.size());
+    for (const Run& run : m_runs)
+        std::memcpy(plane.data() + m_origin + static_cast<std::size_t>(run.y) * m_stride +
+                        static_cast<std::size_t>(run.x),
+                    texture.pixel(run.x, run.y),
+                    sizeof(std::uint32_t) * static_cast<std::size_t>(run.length));
+    for (const auto& [place, source] : m_gutters)
+        plane[place] = plane[source];
+}
+
 void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& second, float weight,
-                            Image& mixed) const
+                            DecodeScratch& scratch, Image& mixed) const
 {
     const UsedTexels& used = m_model->texels;
     assert(mixed.width == used.width && mixed.height == used.height);
     assert(std::ssize(first.warp) == 2 * m_model->grid.nodes() && first.warp.size() == second.warp.size());
-    std::array<std::vector<std::uint32_t>, 2> planes;
-    fill(m_lookup.colours(first.texture), planes[0]);
-    fill(m_lookup.colours(second.texture), planes[1]);
-    std::array<std::vector<float>, 2> rows;
-    RowWarp ofFirst(m_model->grid, first.warp, used.width, rows[0]);
-    RowWarp ofSecond(m_model->grid, second.warp, used.width, rows[1]);
-    alignas(64) LookedUp firstTexels;
-    alignas(64) LookedUp secondTexels;
-    const std::uint8_t* covered = used.covered.data();
-    for (const Run& run : m_runs) {
-        ofFirst.moveTo(run.y);
-        ofSecond.moveTo(run.y);
-        for (int done = 0; done < run.length; done += lookupsAtOnce) {
-            const int count = lookUp(planes[0], run, done, ofFirst, firstTexels);
-            lookUp(planes[1], run, done, ofSecond, secondTexels);
-            auto* bytes = reinterpret_cast<std::uint8_t*>(firstTexels.data());
-            mixBytes(bytes, reinterpret_cast<const std::uint8_t*>(secondTexels.data()), weight,
-                     std::int64_t{4} * count, bytes);
-            std::uint8_t* texel = mixed.pixel(run.x + done, run.y);
-            for (int i = 0; i < count; ++i, texel += 4, bytes += 4)
-                if (*covered++ != 0)
-                    std::memcpy(texel, bytes, 4);
+    alignas(64) LookedUp texels;
+    for (const MovedTexture* moved : {&first, &second}) {
+        const bool isSecond = moved == &second;
+        fill(moved->texture, scratch.aligned);
+        RowWarp warp(m_model->grid, moved->warp, used.width, scratch.rows);
+        const std::uint8_t* covered = used.covered.data();
+        for (const Run& run : m_runs) {
+            warp.moveTo(run.y);
+            for (int done = 0; done < run.length; done += lookupsAtOnce) {
+                const int count = lookUp(scratch.aligned, run, done, warp, texels);
+                auto* bytes = reinterpret_cast<std::uint8_t*>(texels.data());
+                std::uint8_t* texel = mixed.pixel(run.x + done, run.y);
+                if (isSecond)
+                    mixBytes(texel, bytes, weight, std::int64_t{4} * count, bytes);
+                for (int i = 0; i < count; ++i, texel += 4, bytes += 4)
+                    if (*covered++ != 0)
+                        std::memcpy(texel, bytes, 4);
+            }
         }
     }
 }

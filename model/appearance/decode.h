@@ -10,6 +10,8 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace quadrille {
 
@@ -43,6 +45,8 @@ public:
                                std::optional<Image> background = std::nullopt);
 
     const AppearanceModel& model() const { return *m_model; }
+    /// The nodes around used texels; warps of others count nothing.
+    std::span<const NodeRun> nodes() const { return m_nodes; }
 
     /// The texture: aligned texels, looked up at x + warp(x), cubic where the chart is as wide as that takes,
     /// else linear. A look-up never leaves the chart of its texel: texels of others do not count, and where
@@ -60,7 +64,8 @@ public:
     /// gutters may be anything: looked up, gutters have the colours of the nearest covered texels. \param
     /// weight  of the second, 0 … 1. \param mixed  its covered texels are replaced. \pre It has the atlas's
     /// size.
-    void mix(const MovedTexture& first, const MovedTexture& second, float weight, Image& mixed) const;
+    void mix(const MovedTexture& first, const MovedTexture& second, float weight, DecodeScratch& scratch,
+             Image& mixed) const;
 
 private:
     /// Used texels of a chart one beside the other.
@@ -78,6 +83,8 @@ private:
     int lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done, const RowWarp& warp,
                LookedUp& texels) const;
     void fill(std::span<const std::uint8_t> colours, std::vector<std::uint32_t>& plane) const;
+    /// Gutters have the colours of the nearest covered texels.
+    void fill(const Image& texture, std::vector<std::uint32_t>& plane) const;
     void dealign(DecodeScratch& scratch, Image& texture) const;
     std::uint32_t carefulTexel(const std::uint32_t* aligned, const Run& run, int column, Vec2f offset) const;
     void copyUsed(const DecodeScratch& scratch, Image& texture) const;
@@ -85,12 +92,14 @@ private:
     std::shared_ptr<const AppearanceModel> m_model;
     ChartLookup m_lookup;
     std::vector<Run> m_runs;
+    std::vector<NodeRun> m_nodes;
     // Planes have some texels around those of the atlas.
     std::uint32_t m_stride = 0;
     std::uint32_t m_origin = 0;           ///< the place of the first texel
     std::vector<std::uint32_t> m_places;  ///< of each used texel
     std::vector<std::uint16_t> m_charts;  ///< of each place, from 1 on; 0: not used
     std::vector<std::uint16_t> m_squares; ///< the same where all 4 × 4 that a look-up takes are of it, else 0
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_gutters; ///< place, and that of its colour
     Image m_background;
 };
 

@@ -94,46 +94,4 @@ void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* plac
     roundToBytes(sums, 4 * count, reinterpret_cast<std::uint8_t*>(texels));
 }
 
-QUADRILLE_SIMD_CLONES
-void warpRowBetween(const float* from, const float* to, const WarpGrid& grid, int row, float* between)
-{
-    constexpr int iterations = 4; // each leaves as much of the error as the warp stretches
-    const float nodesPerTexel = 1.0F / static_cast<float>(grid.spacing);
-    const auto lastColumn = static_cast<float>(grid.width - 1);
-    const auto lastRow = static_cast<float>(grid.height - 1);
-    const int width = grid.width;
-    // The last node is left to the cell before it; grids of one column or row have none.
-    const int lastLeft = width > 1 ? width - 2 : 0;
-    const int lastTop = grid.height > 1 ? grid.height - 2 : 0;
-    const int right = width > 1 ? 2 : 0;
-    const int below = grid.height > 1 ? 2 * width : 0;
-    const auto atRow = static_cast<float>(row);
-    const float* here = from + std::ptrdiff_t{2} * row * width;
-#pragma omp simd
-    for (std::ptrdiff_t i = 0; i < width; ++i) {
-        float foundX = to[2 * i] - here[2 * i];
-        float foundY = to[2 * i + 1] - here[2 * i + 1];
-        for (int iteration = 0; iteration < iterations; ++iteration) {
-            const float x = limited(static_cast<float>(i) + foundX * nodesPerTexel, lastColumn);
-            const float y = limited(atRow + foundY * nodesPerTexel, lastRow);
-            std::int32_t left = static_cast<std::int32_t>(x);
-            std::int32_t top = static_cast<std::int32_t>(y);
-            left = left < lastLeft ? left : lastLeft;
-            top = top < lastTop ? top : lastTop;
-            const float across = x - static_cast<float>(left);
-            const float down = y - static_cast<float>(top);
-            const std::int32_t at = 2 * (top * width + left);
-            const float upperX = from[at] + across * (from[at + right] - from[at]);
-            const float upperY = from[at + 1] + across * (from[at + right + 1] - from[at + 1]);
-            const float lowerX = from[at + below] + across * (from[at + below + right] - from[at + below]);
-            const float lowerY =
-                from[at + below + 1] + across * (from[at + below + right + 1] - from[at + below + 1]);
-            foundX = to[2 * i] - (upperX + down * (lowerX - upperX));
-            foundY = to[2 * i + 1] - (upperY + down * (lowerY - upperY));
-        }
-        between[2 * i] = foundX;
-        between[2 * i + 1] = foundY;
-    }
-}
-
 } // namespace quadrille

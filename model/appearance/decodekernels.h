@@ -43,7 +43,4 @@ struct RowLookup
 /// texel at the upper left of each place lies.
 void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels);
 
-/// A row of warpBetween. \param from  all nodes. \param to, between  of the row.
-void warpRowBetween(const float* from, const float* to, const WarpGrid& grid, int row, float* between);
-
 } // namespace quadrille

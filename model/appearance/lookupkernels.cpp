@@ -52,7 +52,8 @@ void lookUpSquares(const float* values, const SquareLookup* squares, int count, 
 }
 
 QUADRILLE_SIMD_CLONES
-void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, int count, float* found)
+void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, int count, const float* wanted,
+              float* found)
 {
     constexpr int iterations = 12; // each leaves as much of the error as the warp stretches
     constexpr int lanes = 16;
@@ -70,12 +71,21 @@ void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, i
     for (int done = 0; done < count; done += lanes, x += lanes, found += std::ptrdiff_t{2} * lanes) {
         const int some = count - done < lanes ? count - done : lanes;
         alignas(64) float fromX[lanes] = {};
+        alignas(64) float wantedX[lanes] = {};
+        alignas(64) float wantedY[lanes] = {};
         alignas(64) float foundX[lanes] = {};
         alignas(64) float foundY[lanes] = {};
         alignas(64) std::int32_t isMoving[lanes];
         for (int i = 0; i < lanes; ++i) {
             fromX[i] = i < some ? x[i] : 0.0F;
             isMoving[i] = i < some ? 1 : 0;
+        }
+        if (wanted != nullptr) {
+            const float* next = wanted + std::ptrdiff_t{2} * done;
+            for (int i = 0; i < some; ++i, next += 2) {
+                wantedX[i] = next[0];
+                wantedY[i] = next[1];
+            }
         }
         std::int32_t moving = 1;
         for (int iteration = 0; iteration < iterations && moving != 0; ++iteration) {
@@ -97,8 +107,8 @@ void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, i
                     nodes[at + below] + across * (nodes[at + below + right] - nodes[at + below]);
                 const float lowerY =
                     nodes[at + below + 1] + across * (nodes[at + below + right + 1] - nodes[at + below + 1]);
-                const float newX = -(upperX + down * (lowerX - upperX));
-                const float newY = -(upperY + down * (lowerY - upperY));
+                const float newX = wantedX[i] - (upperX + down * (lowerX - upperX));
+                const float newY = wantedY[i] - (upperY + down * (lowerY - upperY));
                 const float moveX = newX - foundX[i];
                 const float moveY = newY - foundY[i];
                 foundX[i] = isMoving[i] != 0 ? newX : foundX[i];

@@ -21,8 +21,10 @@ struct SquareLookup
 /// three of each texel, and one more. \param looked  three of each texel.
 void lookUpSquares(const float* values, const SquareLookup* squares, int count, float* looked);
 
-/// The displacements w of some texels of a row with w(x) = −warp(x + w(x)); by fixed-point iteration, which
-/// stops at a thousandth of a texel. \param x  columns of the texels. \param found  x, y of each.
-void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, int count, float* found);
+/// The displacements w of some places of a row with w(x) = wanted(x) − warp(x + w(x)); by fixed-point
+/// iteration, which stops at a thousandth of a texel. \param x  columns of the places, texels. \param wanted
+/// x, y of each; null: zero. \param found  x, y of each.
+void undoWarp(const float* nodes, const WarpGrid& grid, const float* x, int y, int count, const float* wanted,
+              float* found);
 
 } // namespace quadrille

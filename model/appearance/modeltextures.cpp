@@ -26,8 +26,33 @@ struct ModelTextures::Opened
                texture.height == appearances.model->texels.height;
     }
 
+    /// A picture, with scratch that other pictures have used before. \param make  (DecodeScratch&) → Image
+    template <typename Make>
+    Image make(const Make& make) const
+    {
+        std::unique_ptr<DecodeScratch> scratch = takeScratch();
+        Image picture = make(*scratch);
+        const std::scoped_lock lock(m_mutex);
+        m_scratch.push_back(std::move(scratch));
+        return picture;
+    }
+
     FrameAppearances appearances;
     AppearanceDecoder decoder;
+
+private:
+    std::unique_ptr<DecodeScratch> takeScratch() const
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_scratch.empty())
+            return std::make_unique<DecodeScratch>();
+        std::unique_ptr<DecodeScratch> scratch = std::move(m_scratch.back());
+        m_scratch.pop_back();
+        return scratch;
+    }
+
+    mutable std::mutex m_mutex;
+    mutable std::vector<std::unique_ptr<DecodeScratch>> m_scratch; ///< as many as pictures were made at once
 };
 
 Image mixedTexture(const Image& first, const Image& second, double weight)
@@ -40,7 +65,7 @@ Image mixedTexture(const Image& first, const Image& second, double weight)
 
 Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
                      const Image& firstTexture, const AppearanceCoefficients& second,
-                     const Image& secondTexture, double weight)
+                     const Image& secondTexture, double weight, DecodeScratch& scratch)
 {
     const AppearanceModel& model = decoder.model();
     Image blended = mixedTexture(firstTexture, secondTexture, weight);
@@ -48,11 +73,12 @@ Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficie
         return blended;
     const std::vector<float> wanted = combined(model.warps, interpolated(first, second, weight).warps);
     const auto warpFrom = [&](const AppearanceCoefficients& from) {
-        return warpBetween(combined(model.warps, from.warps), wanted, model.grid);
+        return warpBetween(combined(model.warps, from.warps), wanted, model.grid, decoder.nodes());
     };
     const std::vector<float> firstWarp = warpFrom(first);
     const std::vector<float> secondWarp = warpFrom(second);
-    decoder.mix({firstTexture, firstWarp}, {secondTexture, secondWarp}, static_cast<float>(weight), blended);
+    decoder.mix({firstTexture, firstWarp}, {secondTexture, secondWarp}, static_cast<float>(weight), scratch,
+                blended);
     return blended;
 }
 
@@ -94,7 +120,10 @@ Texture ModelTextures::between(const CapturedTexture& first, const CapturedTextu
         const auto secondPicture = secondTexture.load();
         if (!known->fits(*firstPicture) || !known->fits(*secondPicture)) // files that changed meanwhile
             return weight < 0.5 ? *firstPicture : *secondPicture;
-        return blendedTexture(known->decoder, *atFirst, *firstPicture, *atSecond, *secondPicture, weight);
+        return known->make([&](DecodeScratch& scratch) {
+            return blendedTexture(known->decoder, *atFirst, *firstPicture, *atSecond, *secondPicture, weight,
+                                  scratch);
+        });
     }};
 }
 
@@ -107,7 +136,11 @@ Texture ModelTextures::ofPose(const std::shared_ptr<const FrameSource>& poses, F
     return {.made = [known, poses, frame, share, captured] {
         std::vector<Vec3f> pose(poses->vertexCount());
         poses->read(frame, pose);
-        Image own = known->decoder.decode(known->appearances.poses->at(pose));
+        Image own = known->make([&](DecodeScratch& scratch) {
+            Image decoded;
+            known->decoder.decode(known->appearances.poses->at(pose), scratch, decoded);
+            return decoded;
+        });
         if (share >= 1 || captured.isEmpty())
             return own;
         const auto other = captured.load();

@@ -40,7 +40,7 @@ Image mixedTexture(const Image& first, const Image& second, double weight);
 /// atlas's size. Cost: that of two to three decodes (bench_appearancemodel).
 Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficients& first,
                      const Image& firstTexture, const AppearanceCoefficients& second,
-                     const Image& secondTexture, double weight);
+                     const Image& secondTexture, double weight, DecodeScratch& scratch);
 
 /// Textures of clips by a model of appearance. Where a picture has not the size of the model's atlas, since
 /// its file has changed, the texture in between is that of the nearer frame.

@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/warpgrid.h"
 
-#include "model/appearance/decodekernels.h"
+#include "model/appearance/lookupkernels.h"
 
 namespace quadrille {
 
-std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid)
+std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
+                               std::span<const NodeRun> nodes)
 {
     std::vector<float> between(to.size());
-    for (int row = 0; row < grid.height; ++row) {
-        const auto begin = 2 * static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
-        warpRowBetween(from.data(), to.data() + begin, grid, row, between.data() + begin);
+    std::vector<float> columns;
+    columns.reserve(static_cast<std::size_t>(grid.width));
+    for (int column = 0; column < grid.width; ++column)
+        columns.push_back(static_cast<float>(column * grid.spacing));
+    for (const NodeRun& run : nodes) {
+        const auto begin = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(grid.width) +
+                           static_cast<std::size_t>(run.column);
+        undoWarp(from.data(), grid, columns.data() + run.column, run.row * grid.spacing, run.count,
+                 to.data() + 2 * begin, between.data() + 2 * begin);
     }
     return between;
 }

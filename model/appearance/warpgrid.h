@@ -29,9 +29,19 @@ struct WarpGrid
     bool operator==(const WarpGrid&) const = default;
 };
 
+/// Some nodes of a row.
+struct NodeRun
+{
+    int row = 0;
+    int column = 0; ///< the first
+    int count = 0;
+};
+
 /// What moves a texture whose backward warp is `from` to where one with the warp `to` lies: d with d(x) =
 /// to(x) − from(x + d(x)), so that both show the same at x + d(x) and at x. Zero where both are the same. By
-/// fixed-point iteration, which converges where warps do not fold. \return 2 values per node.
-std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid);
+/// fixed-point iteration, which converges where warps do not fold. \param nodes  at which it is wanted; zero
+/// at others. \return 2 values per node.
+std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
+                               std::span<const NodeRun> nodes);
 
 } // namespace quadrille

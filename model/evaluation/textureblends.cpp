@@ -108,9 +108,11 @@ std::vector<MiddleErrors> middleErrors(const TextureSource& textures, const Appe
                          const auto truth = textures.read(each.middle);
                          const AppearanceModel& model = decoder.model();
                          own.report(0.2);
+                         DecodeScratch scratch;
                          const Image blended = blendedTexture(
                              decoder, coefficientsOf(model, static_cast<std::size_t>(each.before)), *before,
-                             coefficientsOf(model, static_cast<std::size_t>(each.after)), *after, 0.5);
+                             coefficientsOf(model, static_cast<std::size_t>(each.after)), *after, 0.5,
+                             scratch);
                          own.report(0.7);
                          return std::vector<MiddleErrors>{
                              {textureQuality(*truth, blended, model.texels),

@@ -69,9 +69,11 @@ void blend(benchmark::State& state)
     const AppearanceDecoder decoder(model);
     const std::array frames{coefficientsOf(*model, 0), coefficientsOf(*model, 1)};
     const std::array textures{decoder.decode(frames[0]), decoder.decode(frames[1])};
+    DecodeScratch scratch;
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            blendedTexture(decoder, frames[0], textures[0], frames[1], textures[1], 0.4).pixels.data());
+            blendedTexture(decoder, frames[0], textures[0], frames[1], textures[1], 0.4, scratch)
+                .pixels.data());
 }
 
 void projectTexture(benchmark::State& state)

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Playing textures of 2048² at 30 frames a second for a minute, with 256 MB of cache: how many frames had not
-// come when they were due. A series of JPEG files, read again on each round, and frames between two of them
-// by a model of appearance. Second argument: the loader's threads. Third: whether a viewport shows them,
-// whose drawing takes cores from the loader where it is done by software.
+// come when they were due. A series of JPEG files, read again on each round; frames between two of them by a
+// model of appearance, all of them or, as in clips, a second of blends after two of captured frames. Second
+// argument: the loader's threads. Third: whether a viewport shows them, whose drawing takes cores from the
+// loader where it is done by software.
 #include "editor/playback/frameloader.h"
 #include "model/appearance/modeltextures.h"
 #include "model/core/mediacache.h"
+#include "model/core/random.h"
 #include "model/sequence/framesource.h"
 #include "tests/model/appearance/appearancefixture.h"
 #include "widgets/viewport/viewport.h"
@@ -15,7 +17,9 @@
 #include <QEventLoop>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <array>
 #include <benchmark/benchmark.h>
+#include <cmath>
 
 namespace quadrille {
 namespace {
@@ -47,6 +51,27 @@ MeshSequence square(std::vector<Texture> textures)
     return sequence;
 }
 
+/// As smooth as captured ones are, so that they are decoded as fast: colours of some waves and a little
+/// noise.
+Image picture(int seed)
+{
+    Image image(textureSide, textureSide);
+    Random random(static_cast<std::uint64_t>(seed));
+    const double phase = random.between(0, 6);
+    for (int y = 0; y < textureSide; ++y) {
+        for (int x = 0; x < textureSide; ++x) {
+            std::uint8_t* pixel = image.pixel(x, y);
+            for (int channel = 0; channel < 3; ++channel) {
+                const double wave = std::sin(0.013 * x + phase + channel) + std::sin(0.021 * y - phase) +
+                                    0.5 * std::sin(0.17 * (x + y));
+                pixel[channel] = static_cast<std::uint8_t>(128 + 35 * wave + random.between(-4, 4));
+            }
+            pixel[3] = 255;
+        }
+    }
+    return image;
+}
+
 class Textures
 {
 public:
@@ -60,14 +85,12 @@ public:
                                                 .warp = 1,
                                                 .orthonormal = false},
                                                1)));
-        const AppearanceDecoder decoder(model);
         FrameAppearances known{.model = model};
         for (std::size_t f = 0; f < model->frames.size(); ++f) {
-            const AppearanceCoefficients coefficients = coefficientsOf(*model, f);
             const FrameIndex frame(static_cast<std::int64_t>(f));
-            known.coefficients[{takeName, frame}] = coefficients;
+            known.coefficients[{takeName, frame}] = coefficientsOf(*model, f);
             series.push_back({.file = m_folder.path().toStdString() + "/" + std::to_string(f) + ".jpg"});
-            writeImage(decoder.decode(coefficients), series.back().file, 90);
+            writeImage(picture(static_cast<int>(f)), series.back().file, 90);
         }
         const ModelTextures blender([known] { return std::optional(known); });
         for (std::size_t f = 0; f < series.size(); ++f) {
@@ -77,6 +100,18 @@ public:
             };
             blends.push_back(blender.between(captured(f), captured(other), 0.4));
         }
+    }
+
+    /// A second of blends after two of captured frames, again and again.
+    std::vector<Texture> clip() const
+    {
+        std::vector<Texture> clip;
+        for (std::size_t f = 0; f < 2 * series.size(); ++f) {
+            const std::size_t place = f % series.size();
+            const bool isBlend = f % (3 * framesPerSecond) >= 2 * framesPerSecond;
+            clip.push_back(isBlend ? blends[place] : series[place]);
+        }
+        return clip;
     }
 
     std::vector<Texture> series;
@@ -89,8 +124,8 @@ private:
 void play(benchmark::State& state)
 {
     static const Textures textures;
-    const bool isBlended = state.range(0) != 0;
-    const MeshSequence sequence = square(isBlended ? textures.blends : textures.series);
+    const std::array sequences{textures.series, textures.blends, textures.clip()};
+    const MeshSequence sequence = square(sequences.at(static_cast<std::size_t>(state.range(0))));
     MediaCache::shared()->setBudget(0); // nothing is left of other runs
     MediaCache::shared()->setBudget(cacheBytes);
     std::unique_ptr<widgets::Viewport> viewport;
@@ -149,11 +184,13 @@ void play(benchmark::State& state)
 }
 
 BENCHMARK(play)
-    ->ArgNames({"blended", "threads", "shown"})
+    ->ArgNames({"captured_blended_clip", "threads", "shown"})
     ->Args({0, 2, 0})
     ->Args({0, 2, 1})
     ->Args({1, 2, 0})
     ->Args({1, 2, 1})
+    ->Args({2, 2, 0})
+    ->Args({2, 2, 1})
     ->Unit(benchmark::kSecond)
     ->UseRealTime()
     ->Iterations(1);

@@ -118,8 +118,9 @@ std::shared_ptr<const Image> secondTexture(const TextureRequest& request)
     const UsedTexels& texels = decoder.model().texels;
     if (!isOfSize(*captured, texels) || !isOfSize(*other, texels))
         return nullptr;
+    DecodeScratch scratch;
     return std::make_shared<const Image>(
-        blendedTexture(decoder, request.first, *captured, request.second, *other, request.weight));
+        blendedTexture(decoder, request.first, *captured, request.second, *other, request.weight, scratch));
 }
 
 ShownPair makePair(const TextureRequest& request, const Progress& progress)

@@ -80,13 +80,14 @@ TEST_F(SampleTextures, BetweenFramesAreAtMostHalfAsFarFromTheTruthAsALinearBlend
     const BuiltAppearance built = buildAppearance(source, *body.topology, options);
     const AppearanceDecoder decoder(std::make_shared<const AppearanceModel>(quantised(
         built.used, built.grid, built.textures, built.warps, std::vector<AppearanceFrame>(textures.size()))));
+    DecodeScratch scratch;
     double own = 0;
     double linear = 0;
     for (std::size_t a = 0; a < begins[0]; a += 2) {
         const std::size_t b = begins[0] + a; // of another take
         const auto at = [&](std::size_t frame) { return coefficientsOf(decoder.model(), frame); };
         const Image truth = between(frames[a], frames[b]);
-        const Image blended = blendedTexture(decoder, at(a), *textures[a], at(b), *textures[b], 0.5);
+        const Image blended = blendedTexture(decoder, at(a), *textures[a], at(b), *textures[b], 0.5, scratch);
         const Image mixed = mixedTexture(*textures[a], *textures[b], 0.5);
         own += textureQuality(truth, blended, built.used).meanSquaredError;
         linear += textureQuality(truth, mixed, built.used).meanSquaredError;

@@ -168,10 +168,11 @@ TEST(AppearanceDecoder, MixesMovedTextures)
     for (std::size_t i = 0; i < model->texels.texels.size(); ++i)
         std::copy_n(&colours[3 * i], 3, &texture.pixels[4 * model->texels.texels[i]]);
     const Image black(50, 50);
+    DecodeScratch scratch;
     const std::vector<float> warp = combined(model->warps, frame.warps);
     const std::vector<float> other = combined(model->warps, {});
     Image moved = black;
-    decoder.mix({texture, warp}, {black, other}, 0, moved);
+    decoder.mix({texture, warp}, {black, other}, 0, scratch, moved);
     std::size_t changed = 0;
     for (std::size_t i = 0; i < model->texels.texels.size(); ++i) {
         const std::size_t texel = model->texels.texels[i];
@@ -179,14 +180,33 @@ TEST(AppearanceDecoder, MixesMovedTextures)
     }
     EXPECT_GT(changed, model->texels.texels.size() / 2);
     Image mixed = black;
-    decoder.mix({black, other}, {texture, warp}, 0.5F, mixed);
+    decoder.mix({black, other}, {texture, warp}, 0.5F, scratch, mixed);
     for (const std::uint32_t texel : model->texels.texels)
         EXPECT_EQ(mixed.pixels[4 * texel], (moved.pixels[4 * texel] + 1) / 2);
     const std::vector<float> still(warp.size(), 0.0F);
-    decoder.mix({texture, still}, {black, other}, 0, moved);
+    decoder.mix({texture, still}, {black, other}, 0, scratch, moved);
     for (std::size_t i = 0; i < model->texels.texels.size(); ++i) {
         const std::size_t texel = model->texels.texels[i];
         EXPECT_EQ(moved.pixels[4 * texel], model->texels.covered[i] != 0 ? texture.pixels[4 * texel] : 0);
+    }
+}
+
+TEST(AppearanceDecoder, DependsOnWarpsAtItsNodesAlone)
+{
+    const auto model = sharedModel(randomSpaces(texelsOfDiscs(50, 50, {{14, 30, 9}, {40, 12, 6}}), {}, 3));
+    const AppearanceDecoder decoder(model);
+    const int width = model->grid.width;
+    std::vector<bool> isNeeded(static_cast<std::size_t>(model->grid.nodes()));
+    for (const NodeRun& run : decoder.nodes())
+        for (int k = 0; k < run.count; ++k)
+            isNeeded[static_cast<std::size_t>(run.row * width + run.column + k)] = true;
+    const std::vector<std::uint8_t> colours = ChartLookup(model->texels).colours(decoder.decodeAligned({}));
+    const std::vector<float> warp = combined(model->warps, {});
+    const Image texture = decoder.dealigned(colours, warp);
+    for (std::size_t node = 0; node < isNeeded.size(); ++node) {
+        std::vector<float> other = warp;
+        other[2 * node] += 40;
+        EXPECT_EQ(decoder.dealigned(colours, other) != texture, isNeeded[node]) << node;
     }
 }
 
