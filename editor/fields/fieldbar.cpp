@@ -24,9 +24,12 @@ void FieldBar::addField(const char* objectName, Text label, QWidget* field, Text
 {
     assert(beside == nullptr);
     field->setObjectName(QLatin1String(objectName));
-    // A bar gives its fields no more than they ask for.
-    if (auto* choice = qobject_cast<QComboBox*>(field))
+    // A bar gives its fields no more than they ask for, and choices less where it is narrow.
+    if (auto* choice = qobject_cast<QComboBox*>(field)) {
+        constexpr int fewestLetters = 8;
         choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        choice->setMinimumContentsLength(fewestLetters);
+    }
     auto* text = new QLabel;
     text->setBuddy(field);
     const int end = m_layout->count() - 1; // before the stretch

@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 
@@ -93,6 +94,23 @@ private slots:
         document().undo();
         QCOMPARE(entry(), modelled().appearances.front());
         QCOMPARE(components->value(), 6.0);
+    }
+
+    /// What a window cannot be made as small as is cut off at the screen's edge.
+    void theWindowFitsASmallScreenInEachLanguage()
+    {
+        open(modelled());
+        const QComboBox& flow = *find<QComboBox>("appearanceBarFlow");
+        QVERIFY(flow.isVisible());
+        const auto back = qScopeGuard([&] { context().languages.setLanguage("en"); });
+        for (const char* language : {"fr", "en"}) {
+            const QString before = flow.currentText();
+            context().languages.setLanguage(language);
+            QTRY_VERIFY(flow.currentText() != before);
+            const QSize least = flow.window()->minimumSizeHint();
+            QVERIFY2(least.width() <= 1240, qPrintable(QString("%1 %2").arg(language).arg(least.width())));
+            QVERIFY2(least.height() <= 680, qPrintable(QString("%1 %2").arg(language).arg(least.height())));
+        }
     }
 
     void aModelIsBuiltAndGoesStaleWithItsSettings()

@@ -9,11 +9,11 @@
 #include "editor/fields/appearancefields.h"
 #include "editor/fields/namebox.h"
 #include "editor/language/retranslate.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -40,7 +40,7 @@ AppearanceBar::AppearanceBar(CurrentAppearance& appearance, QWidget* parent)
                    m_appearance.edit(text, QLatin1String(property), change);
                })
     , m_progress(new QProgressBar)
-    , m_state(new QLabel)
+    , m_state(new widgets::ElidedLabel)
 {
     setObjectName(QStringLiteral("appearanceBar"));
     makeActions();
@@ -112,7 +112,6 @@ void AppearanceBar::arrangeWidgets()
     m_progress->setFixedWidth(progressWidth);
     m_progress->setTextVisible(false);
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(appearanceBarGap, appearanceBarGap / 2, appearanceBarGap,
                                appearanceBarGap / 2);

@@ -8,11 +8,11 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/live/livepaths.h"
 #include "editor/workspaces/live/livesession.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QProgressBar>
 #include <QSignalBlocker>
@@ -38,7 +38,7 @@ LiveBar::LiveBar(EditorContext& context, LiveSession& session, LivePaths& paths,
     , m_names(new QComboBox)
     , m_path(new QComboBox)
     , m_progress(new QProgressBar)
-    , m_state(new QLabel)
+    , m_state(new widgets::ElidedLabel)
 {
     setObjectName(QStringLiteral("liveBar"));
     m_names->setObjectName(QStringLiteral("liveNames"));
@@ -49,7 +49,6 @@ LiveBar::LiveBar(EditorContext& context, LiveSession& session, LivePaths& paths,
     m_progress->hide();
     m_state->setObjectName(QStringLiteral("liveState"));
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_path->setObjectName(QStringLiteral("livePath"));
     fitToNames(*m_names);
     fitToNames(*m_path);

@@ -9,11 +9,11 @@
 #include "editor/fields/transferfields.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/transfer/currenttransfer.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -37,7 +37,7 @@ TransferBar::TransferBar(CurrentTransfer& transfer, QWidget* parent)
     , m_fields(*m_bar, [this](const QString& text, const char* property,
                               const auto& change) { m_transfer.edit(text, QLatin1String(property), change); })
     , m_progress(new QProgressBar)
-    , m_state(new QLabel)
+    , m_state(new widgets::ElidedLabel)
 {
     setObjectName(QStringLiteral("transferBar"));
     makeActions();
@@ -78,7 +78,6 @@ void TransferBar::arrangeWidgets()
     m_progress->setFixedWidth(transferProgressWidth);
     m_progress->setTextVisible(false);
     m_state->setFont(widgets::Theme::tabularFont(m_state->font()));
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(transferBarGap, transferBarGap / 2, transferBarGap, transferBarGap / 2);
     column->setSpacing(transferBarGap / 2);

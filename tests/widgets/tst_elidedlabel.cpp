@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Quadrille developers
+// SPDX-License-Identifier: MIT
+#include "tests/qt/registry.h"
+#include "widgets/controls/elidedlabel.h"
+
+#include <QHBoxLayout>
+#include <QTest>
+
+namespace quadrille::widgets {
+
+class ElidedLabelTest : public QObject
+{
+    Q_OBJECT
+
+private:
+    static QImage picture(const QString& text, int width)
+    {
+        ElidedLabel label;
+        label.setText(text);
+        label.resize(width, 24);
+        return label.grab().toImage();
+    }
+
+private slots:
+    void aLongTextEndsInAnEllipsis()
+    {
+        const QString text = QStringLiteral("Preparing the spaces of movement that are played");
+        const ElidedLabel label;
+        const int whole = label.fontMetrics().horizontalAdvance(text);
+        const QString cut = label.fontMetrics().elidedText(text, Qt::ElideRight, whole / 2);
+        QVERIFY(cut.endsWith(QChar(0x2026)));
+        QCOMPARE(picture(text, whole / 2), picture(cut, whole / 2));
+        QVERIFY(picture(text, whole + 4) != picture(cut, whole + 4));
+        QVERIFY(picture(text, whole / 2) != picture({}, whole / 2));
+    }
+
+    void itTakesTheWidthThatItIsGiven()
+    {
+        QWidget bar;
+        auto* row = new QHBoxLayout(&bar);
+        auto* label = new ElidedLabel;
+        row->addWidget(label, 1);
+        const int before = bar.minimumSizeHint().width();
+        label->setText(QString(200, 'x'));
+        QCOMPARE(bar.minimumSizeHint().width(), before);
+        QCOMPARE(label->text().size(), 200);
+    }
+
+    void whatLooksLikeMarkupIsText()
+    {
+        QVERIFY(picture(QStringLiteral("<b>walk</b>"), 300) != picture(QStringLiteral("walk"), 300));
+    }
+};
+
+} // namespace quadrille::widgets
+
+QUADRILLE_QT_TEST(quadrille::widgets::ElidedLabelTest);
+#include "tst_elidedlabel.moc"
