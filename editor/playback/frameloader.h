@@ -51,8 +51,9 @@ public:
     /// Nothing of it is delivered any more.
     void removeStream(int stream);
     /// Up to twelve frames are read ahead, two when standing, as far as three quarters of the media cache
-    /// have room for them. \param step frames from one to the next while playing, negative backwards, 0 when
-    /// standing. \pre 0 ≤ frame < the sequence's frameCount().
+    /// have room.
+    /// \param step frames from one to the next while playing, negative backwards, 0 when standing.
+    /// \pre 0 ≤ frame < the sequence's frameCount().
     void want(int stream, FrameIndex frame, int step = 0);
 
 signals:

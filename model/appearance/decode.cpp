@@ -296,10 +296,10 @@ void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& secon
     assert(mixed.width == used.width && mixed.height == used.height);
     assert(std::ssize(first.warp) == 2 * m_model->grid.nodes() && first.warp.size() == second.warp.size());
     alignas(64) LookedUp texels;
-    for (const MovedTexture* moved : {&first, &second}) {
-        const bool isSecond = moved == &second;
-        fill(moved->texture, scratch.aligned);
-        RowWarp warp(m_model->grid, moved->warp, used.width, scratch.rows);
+    for (const bool isSecond : {false, true}) {
+        const MovedTexture& moved = isSecond ? second : first;
+        fill(moved.texture, scratch.aligned);
+        RowWarp warp(m_model->grid, moved.warp, used.width, scratch.rows);
         const std::uint8_t* covered = used.covered.data();
         for (const Run& run : m_runs) {
             warp.moveTo(run.y);

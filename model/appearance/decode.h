@@ -21,7 +21,7 @@ class RowWarp;
 /// allocated again. One for each thread.
 struct DecodeScratch
 {
-    std::vector<std::uint32_t> aligned; ///< the aligned texture, R G B A, with some texels around it
+    std::vector<std::uint32_t> aligned; ///< what is looked up in, R G B A, with some texels around it
     std::vector<float> warp;            ///< 2 values per node
     std::vector<float> rows;            ///< warps of the texels of two rows of nodes
 };
