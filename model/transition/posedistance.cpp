@@ -48,16 +48,6 @@ void requireComparable(const CharacterFrames& character)
                                                          "the rate of the project.")}}});
 }
 
-/// How many triangles or vertices may be compared.
-std::size_t mostCompared(const PoseDistanceSettings& settings, NodeIndex frameCount)
-{
-    if (settings.triangles)
-        return static_cast<std::size_t>(*settings.triangles);
-    return frameCount > PoseDistanceSettings::mostFramesByAll
-               ? static_cast<std::size_t>(PoseDistanceSettings::usualTriangles)
-               : std::numeric_limits<std::size_t>::max();
-}
-
 /// Looks at every frame once: its centre, and the triangles that have no area in it.
 PoseDistanceInputs survey(const CharacterFrames& character, std::span<const PoseDistanceSettings> metrics,
                           const Progress& progress)
@@ -88,7 +78,8 @@ PoseDistanceInputs survey(const CharacterFrames& character, std::span<const Pose
     for (const PoseDistanceSettings& metric : metrics) {
         inputs.metrics.push_back({.settings = metric, .corners = {}, .triangleCount = 0, .vertices = {}});
         MetricInputs& compared = inputs.metrics.back();
-        const std::size_t most = mostCompared(metric, character.frameCount());
+        const auto most =
+            static_cast<std::size_t>(metric.triangles.value_or(std::numeric_limits<std::int64_t>::max()));
         const std::vector<Triangle> some =
             used.size() > most ? spreadTriangles(used, character.frame(0).positions(), most) : used;
         compared.corners = cornerSlices(some);

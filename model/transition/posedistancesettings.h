@@ -20,12 +20,23 @@ struct PoseDistanceSettings
     /// w of SMCAS eq. 2: weight of the stretch against the rotation, at least 0. Surface metric only.
     double stretchWeight = 0.01;
     /// How many triangles, by the Euclidean metric vertices, are compared, spread evenly over the surface, at
-    /// least 1. Where it is empty all are, or so many as are usual where there are many frames.
+    /// least 1; all where it is empty.
     std::optional<std::int64_t> triangles;
-    static constexpr std::int64_t mostFramesByAll = 5'000;
-    static constexpr std::int64_t usualTriangles = 1'000;
 
     bool operator==(const PoseDistanceSettings&) const = default;
 };
+
+/// Frames of a character up to which graphs compare all of its triangles where they name no number.
+inline constexpr std::int64_t mostFramesByAll = 5'000;
+/// How many they compare of characters of more frames.
+inline constexpr std::int64_t usualTriangles = 1'000;
+
+/// As a graph of so many frames has them.
+inline PoseDistanceSettings ofGraph(PoseDistanceSettings settings, std::int64_t frameCount)
+{
+    if (!settings.triangles && frameCount > mostFramesByAll)
+        settings.triangles = usualTriangles;
+    return settings;
+}
 
 } // namespace quadrille

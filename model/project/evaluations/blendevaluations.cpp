@@ -129,7 +129,8 @@ BuildStep trajectoryStep(const CharacterInputs& work, const EvaluationEntry& eva
     step.compute = [=](const StepContext&, const Progress& progress) {
         const BlendedSequences blended = blendedSequences(work, evaluation, progress.part(0, 0.4));
         const CharacterFrames frames(blended.sequences);
-        const PoseDistances poses = poseDistances(frames, work.graph.pose, progress.part(0.4, 0.7));
+        const PoseDistances poses =
+            poseDistances(frames, ofGraph(work.graph.pose, frames.frameCount()), progress.part(0.4, 0.7));
         const Transition blend = longBlend(poses.distances, poses.layout, settings);
         const CoordinateSystem& axes = work.opener->project().settings.axes;
         const RootPoses roots = rootPoses(frames, axes.up, progress.part(0.7, 1));

@@ -89,7 +89,8 @@ BuildStep distanceStep(const CharacterInputs& work, const std::string& name,
         step.bytes = bytesOfTables(work, 1);
     step.compute = [=](const StepContext&, const Progress& progress) {
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
-        return distanceResult(work, name, settings, poseDistances(frames, settings, progress.part(0.05, 1)));
+        const PoseDistanceSettings compared = ofGraph(settings, frames.frameCount());
+        return distanceResult(work, name, settings, poseDistances(frames, compared, progress.part(0.05, 1)));
     };
     return step;
 }
@@ -121,10 +122,10 @@ std::vector<BuildStep> poseSteps(const CharacterInputs& work)
                                                                              const Progress& progress) {
         const bool wantsEuclidean = context.isWanted && context.isWanted(along[0]);
         const bool wantsRoots = context.isWanted && context.isWanted(along[1]);
-        std::vector<PoseDistanceSettings> metrics{settings};
-        if (wantsEuclidean)
-            metrics.push_back(euclidean);
         const CharacterFrames frames = work.open(progress.part(0, 0.05));
+        std::vector<PoseDistanceSettings> metrics{ofGraph(settings, frames.frameCount())};
+        if (wantsEuclidean)
+            metrics.push_back(ofGraph(euclidean, frames.frameCount()));
         PosePairs pairs = posePairs(frames, metrics, wantsRoots ? turnOf(upOf(work)) : OfCovariance(),
                                     progress.part(0.05, 0.95));
         if (wantsEuclidean)

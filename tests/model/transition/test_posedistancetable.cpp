@@ -144,21 +144,19 @@ TEST(PoseDistances, AreMeansOverAsManyVertices)
     EXPECT_TRUE((pairs.distances[2].distances == whole).all());
 }
 
-TEST(PoseDistances, AreByTheUsualTrianglesWhereThereAreManyFrames)
+TEST(PoseDistances, AreByTheUsualTrianglesInGraphsOfManyFramesAlone)
 {
-    constexpr std::int64_t most = PoseDistanceSettings::mostFramesByAll;
-    constexpr std::int64_t usual = PoseDistanceSettings::usualTriangles;
-    constexpr std::int64_t any = 1'000'000;
-    const CharacterFrames few = characterOf(swayingTube(tubeTopology(20, 52), 20, most, 0.1));
-    const CharacterFrames many = characterOf(swayingTube(tubeTopology(20, 52), 20, most + 1, 0.1));
-    ASSERT_GT(few.vertexCount(), usual);
+    EXPECT_EQ(ofGraph({}, mostFramesByAll).triangles, std::nullopt);
+    EXPECT_EQ(ofGraph({}, mostFramesByAll + 1).triangles, usualTriangles);
+    EXPECT_EQ(ofGraph({.triangles = 7}, mostFramesByAll + 1).triangles, 7);
+    const CharacterFrames many = characterOf(swayingTube(tubeTopology(20, 52), 20, mostFramesByAll + 1, 0.1));
+    ASSERT_GT(many.vertexCount(), usualTriangles);
     for (const PoseMetric metric : {PoseMetric::Surface, PoseMetric::Euclidean}) {
-        const auto ofFirst = [&](const CharacterFrames& frames, std::optional<std::int64_t> triangles) {
-            return poseDistancesOfFirst(frames, 2, {.metric = metric, .triangles = triangles});
+        const auto ofFirst = [&](std::optional<std::int64_t> triangles) {
+            return poseDistancesOfFirst(many, 2, {.metric = metric, .triangles = triangles});
         };
-        EXPECT_TRUE((ofFirst(many, {}) == ofFirst(many, usual)).all());
-        EXPECT_FALSE((ofFirst(many, {}) == ofFirst(many, any)).all());
-        EXPECT_TRUE((ofFirst(few, {}) == ofFirst(few, any)).all());
+        EXPECT_FALSE((ofFirst({}) == ofFirst(usualTriangles)).all());
+        EXPECT_TRUE((ofFirst({}) == ofFirst(1'000'000)).all());
     }
 }
 
