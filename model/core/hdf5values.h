@@ -58,26 +58,39 @@ std::vector<std::string> readTexts(hid_t object, const char* name);
 /// UTF-8 text of a fixed size, padded with zeros.
 Hdf5Handle textType(std::size_t size);
 
-/// Texts one after the other, each `size` bytes.
+/// `count` texts from `first` on, one after the other, each `size` bytes.
+template <typename Texts>
+std::vector<char> packTexts(const Texts& texts, std::size_t size, std::size_t first, std::size_t count)
+{
+    std::vector<char> packed(std::max<std::size_t>(count * size, 1));
+    for (std::size_t i = 0; i < count; ++i)
+        std::copy(texts[first + i].begin(), texts[first + i].end(),
+                  packed.begin() + static_cast<std::ptrdiff_t>(i * size));
+    return packed;
+}
+/// All of them.
 template <typename Texts>
 std::vector<char> packTexts(const Texts& texts, std::size_t size)
 {
-    std::vector<char> packed(std::max<std::size_t>(texts.size() * size, 1));
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        std::copy(texts[i].begin(), texts[i].end(), packed.begin() + static_cast<std::ptrdiff_t>(i * size));
-    return packed;
+    return packTexts(texts, size, 0, texts.size());
 }
 
+/// Adds packed texts to others.
 template <typename Texts>
-Texts unpackTexts(const std::vector<char>& packed, std::size_t size)
+void unpackTexts(const std::vector<char>& packed, std::size_t size, Texts& texts)
 {
-    Texts texts;
-    texts.reserve(packed.size() / size);
     for (std::size_t at = 0; at + size <= packed.size(); at += size) {
         std::string text(packed.data() + at, size);
         text.erase(text.find_last_not_of('\0') + 1);
         texts.push_back(text);
     }
+}
+template <typename Texts>
+Texts unpackTexts(const std::vector<char>& packed, std::size_t size)
+{
+    Texts texts;
+    texts.reserve(packed.size() / size);
+    unpackTexts(packed, size, texts);
     return texts;
 }
 

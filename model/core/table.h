@@ -22,7 +22,7 @@ public:
     TableView() : TableView(nullptr, 0, 0) {}
     TableView(const Value* data, Eigen::Index rows, Eigen::Index columns) : Base(data, rows, columns) {}
     TableView(const Table<Value>& table) : TableView(table.data(), table.rows(), table.cols()) {}
-    TableView(const TableView&) = default;
+    TableView(const TableView&) noexcept = default;
     ~TableView() = default;
     /// Looks at the other table from now on.
     TableView& operator=(const TableView& other)

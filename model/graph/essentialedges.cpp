@@ -7,6 +7,7 @@
 // row walk through the graph at once (see EdgeWalks).
 #include "model/graph/essentialedges.h"
 
+#include "model/core/freememory.h"
 #include "model/graph/edgewalks.h"
 
 #include <algorithm>
@@ -40,6 +41,7 @@ public:
             leaveOutDominated(sequence);
             progress.part(0, 0.2).report(done += m_layout.countOf(sequence), m_frames);
         });
+        m_costs.unloadLengths();
         decideByLeast();
         if (certain)
             certain(keptEdges());
@@ -52,6 +54,9 @@ public:
             decide(block * EdgeWalks::lanes, workspaces.local());
             progress.part(0.2, 0.9).report(++done, blocks);
         });
+        m_graph.excesses = {};
+        workspaces.clear();
+        returnFreeMemory();
         std::vector<std::size_t> doubtful;
         Digraph graph = join(doubtful);
         if (!doubtful.empty())
@@ -74,9 +79,10 @@ private:
         std::vector<double> weights(static_cast<std::size_t>(m_frames));
         // Of the frame after i, then of i: the cheapest edge to each frame, with what is played around it.
         std::vector<double> cheapest(weights.size(), unreachable);
+        OutEdges edges;
         for (NodeIndex i = m_layout.lastOf(source); i >= m_layout.firstOf(source); --i) {
             completeWeightsFrom(m_costs, i, m_alpha, weights.data());
-            OutEdges& edges = m_graph.from(i);
+            edges.clear();
             for (int target = 0; target < m_layout.sequenceCount(); ++target) {
                 double before = unreachable;
                 for (NodeIndex j = m_layout.firstOf(target); j <= m_layout.lastOf(target); ++j) {
@@ -92,6 +98,7 @@ private:
                     before = here;
                 }
             }
+            m_graph.from(i) = edges; // without the room that a growing list has
         }
     }
 
@@ -188,26 +195,34 @@ private:
     /// \param doubtful  out: positions of the edges that are.
     Digraph join(std::vector<std::size_t>& doubtful)
     {
-        std::vector<std::size_t> firstOf{0};
-        for (NodeIndex i = 0; i < m_frames; ++i) {
-            std::erase_if(m_graph.from(i), [&](const OutEdge& edge) {
-                return edge.state != EdgeState::Kept && !isDoubtful(i, edge);
-            });
-            firstOf.push_back(firstOf.back() + m_graph.from(i).size());
-        }
-        std::vector<Edge> edges(firstOf.back());
-        tbb::parallel_for(NodeIndex{0}, m_frames, [&](NodeIndex i) {
-            OutEdges own = std::move(m_graph.from(i));
-            std::sort(own.begin(), own.end(), [](const OutEdge& a, const OutEdge& b) { return a.to < b.to; });
-            std::transform(own.begin(), own.end(), edges.data() + firstOf[static_cast<std::size_t>(i)],
-                           [&](const OutEdge& edge) { return edgeOf(i, edge); });
-            m_graph.from(i) = std::move(own);
-        });
+        const auto goes = [this](NodeIndex from, const OutEdge& edge) {
+            return edge.state != EdgeState::Kept && !isDoubtful(from, edge);
+        };
+        std::size_t count = 0;
         for (NodeIndex i = 0; i < m_frames; ++i)
-            for (std::size_t e = 0; e < m_graph.from(i).size(); ++e)
-                if (m_graph.from(i)[e].state == EdgeState::Tied)
-                    doubtful.push_back(firstOf[static_cast<std::size_t>(i)] + e);
-        m_graph.edges.clear();
+            count += static_cast<std::size_t>(
+                std::ranges::count_if(m_graph.from(i), [&](const OutEdge& edge) { return !goes(i, edge); }));
+        std::vector<Edge> edges;
+        edges.reserve(count);
+        // Some frames after the others, whose own edges go then: of large graphs both take much.
+        constexpr NodeIndex most = 1024;
+        for (NodeIndex first = 0; first < m_frames; first += most) {
+            const NodeIndex end = std::min(first + most, m_frames);
+            tbb::parallel_for(first, end, [&](NodeIndex i) {
+                OutEdges& own = m_graph.from(i);
+                std::erase_if(own, [&](const OutEdge& edge) { return goes(i, edge); });
+                std::ranges::sort(own, {}, &OutEdge::to);
+            });
+            for (NodeIndex i = first; i < end; ++i) {
+                for (const OutEdge& edge : m_graph.from(i)) {
+                    if (edge.state == EdgeState::Tied)
+                        doubtful.push_back(edges.size());
+                    edges.push_back(edgeOf(i, edge));
+                }
+                m_graph.from(i) = {};
+            }
+            returnFreeMemory();
+        }
         return {m_frames, std::move(edges)};
     }
 

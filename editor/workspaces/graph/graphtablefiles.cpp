@@ -14,37 +14,37 @@ std::vector<std::filesystem::path> writeGraphTables(const CharacterGraph& charac
                                                     const Progress& progress)
 {
     const GraphPair& graphs = *measured.graphs;
-    std::vector<DataTable> tables;
-    const auto costs = character.edgeCosts({&graphs.essential, &graphs.motion}, progress.part(0, 0.9));
+    std::vector<std::filesystem::path> files;
+    // Each is written as soon as it is made: those of large graphs take much.
+    const auto write = [&](DataTable table) {
+        files.push_back(folder / (table.name + ".csv"));
+        DataItem item;
+        item.name = table.name;
+        item.content = std::move(table);
+        writeData(item, files.back(), &guard);
+    };
+    auto costs = character.edgeCosts({&graphs.essential, &graphs.motion}, progress.part(0, 0.9));
     const std::vector<std::string>& sequences = character.work().sequences;
-    tables.push_back(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
-                               graphs.essential, costs[0], character.layout(), sequences));
-    tables.push_back(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
-                               graphs.motion, costs[1], character.layout(), sequences));
+    write(edgeTable("essential-graph-edges", "The Essential graph: all edges on shortest paths.",
+                    graphs.essential, std::move(costs[0]), character.layout(), sequences));
+    write(edgeTable("motion-graph-edges", "The motion graph: local minima of the transition cost.",
+                    graphs.motion, std::move(costs[1]), character.layout(), sequences));
     TableBuilder statistics = statisticsTable("graph-statistics", "Both graphs at the project's alpha.");
     addStatistics(statistics, "essential", graphs.alpha, measured.essential);
     addStatistics(statistics, "motion", graphs.alpha, measured.motion);
-    tables.push_back(std::move(statistics).table());
+    write(std::move(statistics).table());
     TableBuilder components = componentTable("graph-components");
     for (const auto& [name, graph] :
          {std::pair("essential", &measured.essential), std::pair("motion", &measured.motion)})
         addComponents(components, name, graphs.alpha, graph->connectivity, character.layout(), sequences);
-    tables.push_back(std::move(components).table());
+    write(std::move(components).table());
     if (!comparison.empty()) {
         TableBuilder sweep = statisticsTable("graph-comparison", "Both graphs over several alphas.");
         for (const GraphComparison& row : comparison) {
             addStatistics(sweep, "essential", row.alpha, row.essential);
             addStatistics(sweep, "motion", row.alpha, row.motion);
         }
-        tables.push_back(std::move(sweep).table());
-    }
-    std::vector<std::filesystem::path> files;
-    for (DataTable& table : tables) {
-        files.push_back(folder / (table.name + ".csv"));
-        DataItem item;
-        item.name = table.name;
-        item.content = std::move(table);
-        writeData(item, files.back(), &guard);
+        write(std::move(sweep).table());
     }
     return files;
 }

@@ -232,12 +232,12 @@ BuildStep edgeStep(const CharacterInputs& work)
                        costs, progress.part(0, 0.9));
         }
         Result result;
-        // Either goes as soon as it is a table.
+        // Either goes as soon as it is a table, its costs before.
         const auto add = [&](const char* name, const char* description, Digraph&& graph,
                              std::vector<EdgeCost>&& edgeCosts) {
             const Digraph own = std::move(graph);
-            const std::vector<EdgeCost> ownCosts = std::move(edgeCosts);
-            result.tables.push_back(edgeTable(name, description, own, ownCosts, layout, work.sequences));
+            result.tables.push_back(
+                edgeTable(name, description, own, std::move(edgeCosts), layout, work.sequences));
         };
         add("motion-graph-edges", "The motion graph: local minima of the transition cost.", std::move(motion),
             std::move(costs[0]));

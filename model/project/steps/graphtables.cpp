@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/steps/graphtables.h"
 
+#include <algorithm>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -13,10 +15,7 @@ namespace {
 class EdgeColumns
 {
 public:
-    EdgeColumns(const char* name, const char* description, std::span<const Edge> edges)
-        : m_table{.name = name, .description = description}, m_edges(edges)
-    {
-    }
+    explicit EdgeColumns(std::span<const Edge> edges) : m_edges(edges) {}
 
     /// \param valueOf  (position of an edge) → Value
     template <typename Value, typename ValueOf>
@@ -26,7 +25,7 @@ public:
         values.reserve(m_edges.size());
         for (std::size_t e = 0; e < m_edges.size(); ++e)
             values.push_back(valueOf(e));
-        DataArray& column = m_table.columns.emplace_back();
+        DataArray& column = m_columns.emplace_back();
         column.name = name;
         column.unit = unit;
         column.shape = {std::ssize(m_edges)};
@@ -45,10 +44,15 @@ public:
         });
     }
 
-    DataTable table() && { return std::move(m_table); }
+    void append(EdgeColumns&& others) { std::ranges::move(others.m_columns, std::back_inserter(m_columns)); }
+
+    DataTable table(const char* name, const char* description) &&
+    {
+        return {.name = name, .description = description, .columns = std::move(m_columns)};
+    }
 
 private:
-    DataTable m_table;
+    std::vector<DataArray> m_columns;
     std::span<const Edge> m_edges;
 };
 
@@ -56,18 +60,28 @@ private:
 
 DataTable graphTable(const char* name, const char* description, const Digraph& graph)
 {
-    EdgeColumns columns(name, description, graph.edges());
+    EdgeColumns columns(graph.edges());
     columns.addEdges();
-    return std::move(columns).table();
+    return std::move(columns).table(name, description);
 }
 
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    std::span<const EdgeCost> costs, const FrameLayout& layout,
+                    std::vector<EdgeCost> costs, const FrameLayout& layout,
                     const std::vector<std::string>& sequences)
 {
     const std::span<const Edge> edges = graph.edges();
-    const auto addEnd = [&](EdgeColumns& columns, const char* sequence, const char* frame,
-                            NodeIndex Edge::*end) {
+    EdgeColumns ofCosts(edges);
+    ofCosts.add<double>("cost", "", [&](std::size_t e) { return static_cast<double>(costs[e].cost); });
+    ofCosts.add<double>("pose-cost", "", [&](std::size_t e) { return costs[e].parts.pose; });
+    ofCosts.add<double>("contact-cost", "", [&](std::size_t e) { return costs[e].parts.contacts; });
+    ofCosts.add<double>("velocity-cost", "", [&](std::size_t e) { return costs[e].parts.velocity; });
+    ofCosts.add<std::int64_t>("length", "frame", [&](std::size_t e) { return costs[e].length; });
+    costs = {}; // before the other columns are made: of many edges each takes much
+
+    EdgeColumns columns(edges);
+    columns.addEdges();
+    columns.append(std::move(ofCosts));
+    const auto addEnd = [&](const char* sequence, const char* frame, NodeIndex Edge::*end) {
         columns.add<std::string>(sequence, "", [&, end](std::size_t e) -> const std::string& {
             return sequences[static_cast<std::size_t>(layout.sequenceOf(edges[e].*end))];
         });
@@ -75,16 +89,9 @@ DataTable edgeTable(const char* name, const char* description, const Digraph& gr
             return edges[e].*end - layout.firstOf(layout.sequenceOf(edges[e].*end));
         });
     };
-    EdgeColumns columns(name, description, edges);
-    columns.addEdges();
-    columns.add<double>("cost", "", [&](std::size_t e) { return static_cast<double>(costs[e].cost); });
-    columns.add<double>("pose-cost", "", [&](std::size_t e) { return costs[e].parts.pose; });
-    columns.add<double>("contact-cost", "", [&](std::size_t e) { return costs[e].parts.contacts; });
-    columns.add<double>("velocity-cost", "", [&](std::size_t e) { return costs[e].parts.velocity; });
-    columns.add<std::int64_t>("length", "frame", [&](std::size_t e) { return costs[e].length; });
-    addEnd(columns, "from-sequence", "from-frame", &Edge::from);
-    addEnd(columns, "to-sequence", "to-frame", &Edge::to);
-    return std::move(columns).table();
+    addEnd("from-sequence", "from-frame", &Edge::from);
+    addEnd("to-sequence", "to-frame", &Edge::to);
+    return std::move(columns).table(name, description);
 }
 
 TableBuilder statisticsTable(std::string name, std::string description)

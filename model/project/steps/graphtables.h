@@ -19,7 +19,7 @@ DataTable graphTable(const char* name, const char* description, const Digraph& g
 /// and both ends by sequence and frame. \param costs  of all edges. \param sequences  names, in the order of
 /// the layout.
 DataTable edgeTable(const char* name, const char* description, const Digraph& graph,
-                    std::span<const EdgeCost> costs, const FrameLayout& layout,
+                    std::vector<EdgeCost> costs, const FrameLayout& layout,
                     const std::vector<std::string>& sequences);
 
 /// A table for addStatistics.

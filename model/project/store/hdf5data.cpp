@@ -16,6 +16,51 @@ std::size_t longest(const TextColumn& texts)
     return size;
 }
 
+/// Texts are packed and unpacked so many bytes at a time: those of the edges of a large graph take more than
+/// its numbers.
+constexpr std::size_t packedBytes = std::size_t{1} << 20;
+
+/// Calls `transfer` with the spaces in memory and in the file for some of the values after the others.
+/// \param transfer  (first, count, id of the space in memory, id of that in the file)
+template <typename Transfer>
+void forEachPart(hid_t dataset, std::size_t count, std::size_t most, const Transfer& transfer)
+{
+    const Hdf5Handle space = handle(H5Dget_space(dataset), H5Sclose);
+    const bool isColumn = check(H5Sget_simple_extent_ndims(space.id())) == 1;
+    for (std::size_t first = 0; first < count;) {
+        const hsize_t start = first;
+        const hsize_t part = isColumn ? std::min(most, count - first) : count;
+        if (isColumn)
+            check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &start, nullptr, &part, nullptr));
+        const Hdf5Handle memory = handle(H5Screate_simple(1, &part, nullptr), H5Sclose);
+        transfer(first, static_cast<std::size_t>(part), memory.id(), space.id());
+        first += static_cast<std::size_t>(part);
+    }
+}
+
+void writeTexts(hid_t dataset, hid_t type, const TextColumn& texts, std::size_t size)
+{
+    forEachPart(dataset, texts.size(), std::max<std::size_t>(packedBytes / size, 1),
+                [&](std::size_t first, std::size_t count, hid_t memory, hid_t file) {
+                    check(H5Dwrite(dataset, type, memory, file, H5P_DEFAULT,
+                                   packTexts(texts, size, first, count).data()));
+                });
+}
+
+TextColumn readTexts(hid_t dataset, hid_t type, std::size_t count, std::size_t size)
+{
+    TextColumn texts;
+    texts.reserve(count);
+    std::vector<char> packed;
+    forEachPart(dataset, count, std::max<std::size_t>(packedBytes / size, 1),
+                [&](std::size_t, std::size_t part, hid_t memory, hid_t file) {
+                    packed.resize(part * size);
+                    check(H5Dread(dataset, type, memory, file, H5P_DEFAULT, packed.data()));
+                    unpackTexts(packed, size, texts);
+                });
+    return texts;
+}
+
 template <typename T>
 DataValues readNumbers(hid_t dataset, std::size_t count, std::uint64_t limit)
 {
@@ -88,10 +133,7 @@ DataValues readValues(hid_t dataset, const std::vector<std::int64_t>& shape, std
     case H5T_STRING: {
         if (size == 0 || H5Tis_variable_str(type.id()) > 0 || count > limit / size)
             throw Failure{};
-        std::vector<char> packed(count * size);
-        if (count > 0)
-            check(H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()));
-        return unpackTexts<TextColumn>(packed, size);
+        return readTexts(dataset, type.id(), count, size);
     }
     default:
         throw Failure{};
@@ -123,9 +165,7 @@ void writeArray(hid_t parent, const DataArray& array)
                 const std::size_t size = longest(values);
                 const Hdf5Handle type = textType(size);
                 Hdf5Handle created = createDataset(parent, array.name, array.shape, type.id());
-                if (!values.empty())
-                    check(H5Dwrite(created.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                   packTexts(values, size).data()));
+                writeTexts(created.id(), type.id(), values, size);
                 return created;
             } else {
                 const auto [inFile, inMemory] = typesOf<Value>();

@@ -35,6 +35,8 @@ struct DataArray
     bool operator==(const DataArray&) const = default;
 };
 
+static_assert(std::is_nothrow_move_constructible_v<DataArray>, "lists of large ones grow without copies");
+
 /// A table: columns of one length.
 struct DataTable
 {

@@ -104,6 +104,24 @@ TEST(ResultFile, LeavesLargeTablesInTheFile)
     EXPECT_EQ(isMapped(), 0);
 }
 
+/// They are packed and unpacked a part at a time.
+TEST(ResultFile, GivesBackMoreTextsThanFitInAPart)
+{
+    const TemporaryFolder folder;
+    const auto file = folder / "texts.h5";
+    TextColumn texts;
+    for (int i = 0; i < 300000; ++i)
+        texts.push_back("frame " + std::to_string(i % 7000));
+    DataArray square = columnOf("square", "", texts.list());
+    square.shape = {300, 1000};
+    Result result;
+    result.arrays = {std::move(square)};
+    result.tables = {
+        {"edges", "Ends.", {columnOf("end", "", texts.list()), columnOf("other", "", texts.list())}}};
+    writeResultFile(file, {"graph/edges", "k1"}, result);
+    EXPECT_EQ(readResultFile(file), result);
+}
+
 TEST(ResultFile, HasTheSameBytesWheneverItIsWritten)
 {
     const TemporaryFolder folder;
