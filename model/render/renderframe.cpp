@@ -54,13 +54,14 @@ struct FrameRenderer::Shared
 
 Bounds boundsOf(const MeshSequence& sequence, std::int64_t samples, const Progress& progress)
 {
+    MediaCache none(0); // few of these frames are looked at again
     Bounds bounds;
     const std::int64_t frames = sequence.frameCount();
     const std::int64_t count = std::min(std::max<std::int64_t>(samples, 1), frames);
     for (std::int64_t i = 0; i < count; ++i) {
         progress.report(i, count);
         const std::int64_t frame = count > 1 ? i * (frames - 1) / (count - 1) : 0;
-        bounds.add(boundsOf(sequence.frame(FrameIndex(frame)).positions()));
+        bounds.add(boundsOf(sequence.frame(FrameIndex(frame), none).positions()));
     }
     return bounds;
 }
