@@ -31,15 +31,18 @@ MatrixValues valuesOf(int side)
     return known[side] = {side, std::shared_ptr<const float>(values, values->data()), nullptr};
 }
 
-std::shared_ptr<std::vector<MatrixMark>> marksOf(int side)
+/// So many in each row.
+MatrixMarkRow marksOf(int side, int each = 10)
 {
     std::mt19937 random(2);
     auto marks = std::make_shared<std::vector<MatrixMark>>();
-    for (int i = 0; i < side * 10; ++i)
-        marks->push_back({static_cast<int>(random() % static_cast<unsigned>(side)),
-                          static_cast<int>(random() % static_cast<unsigned>(side)),
+    for (int i = 0; i < side * each; ++i)
+        marks->push_back({i / each, static_cast<int>(random() % static_cast<unsigned>(side)),
                           static_cast<float>(random() % 100)});
-    return marks;
+    return [marks, each](int row, std::vector<MatrixMark>& ofRow) {
+        const auto first = marks->begin() + std::ptrdiff_t{row} * each;
+        ofRow.insert(ofRow.end(), first, first + each);
+    };
 }
 
 void pyramid(benchmark::State& state)

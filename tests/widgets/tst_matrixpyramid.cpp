@@ -9,6 +9,22 @@
 
 using namespace quadrille::widgets;
 
+namespace {
+
+using Shades = std::vector<MatrixPyramid::Shade>;
+
+/// Row by row.
+Shades shadesOf(const MatrixPyramid& pyramid, int level)
+{
+    const auto side = static_cast<std::size_t>(pyramid.sideOf(level));
+    Shades shades(side * side);
+    for (std::size_t row = 0; row < side; ++row)
+        pyramid.read(level, static_cast<int>(row), 0, std::span(shades).subspan(row * side, side));
+    return shades;
+}
+
+} // namespace
+
 class TestMatrixPyramid : public QObject
 {
     Q_OBJECT
@@ -37,10 +53,12 @@ void TestMatrixPyramid::everyLevelShowsTheCheapestCellThatPasses()
     const MatrixFilter filter = filtered ? MatrixFilter{0.6F, 5, 30} : MatrixFilter{};
     const auto pyramid = buildMatrixPyramid(values, 0.1F, 0.9F, filter);
     int cells = 1;
-    for (const MatrixPyramid::Level& level : pyramid->levels()) {
-        QCOMPARE(level.side, (side + cells - 1) / cells);
-        for (int row = 0; row < level.side; ++row) {
-            for (int column = 0; column < level.side; ++column) {
+    for (int level = 0; level < pyramid->levelCount(); ++level) {
+        const int levelSide = pyramid->sideOf(level);
+        QCOMPARE(levelSide, (side + cells - 1) / cells);
+        const Shades shades = shadesOf(*pyramid, level);
+        for (int row = 0; row < levelSide; ++row) {
+            for (int column = 0; column < levelSide; ++column) {
                 float cheapest = nothing;
                 float cheapestGrey = nothing;
                 for (int i = row * cells; i < std::min((row + 1) * cells, side); ++i)
@@ -55,12 +73,16 @@ void TestMatrixPyramid::everyLevelShowsTheCheapestCellThatPasses()
                 const int expected = cheapest < nothing       ? step(cheapest)
                                      : cheapestGrey < nothing ? 127 + step(cheapestGrey)
                                                               : 255;
-                QCOMPARE(static_cast<int>(level.at(row, column)), expected);
+                QCOMPARE(static_cast<int>(shades[static_cast<std::size_t>(row * levelSide + column)]),
+                         expected);
+                MatrixPyramid::Shade one = 0;
+                pyramid->read(level, row, column, std::span(&one, 1));
+                QCOMPARE(static_cast<int>(one), expected);
             }
         }
         cells *= 2;
     }
-    QCOMPARE(pyramid->levels().back().side, 1);
+    QCOMPARE(pyramid->sideOf(pyramid->levelCount() - 1), 1);
 }
 
 /// Before the numbers of a table are there.
@@ -83,9 +105,9 @@ void TestMatrixPyramid::anOverviewLooksLikeTheWholeFromAfar()
     const auto whole = buildMatrixPyramid(values, 0.1F, 0.9F);
     const auto known = buildMatrixPyramid(overview, 0.1F, 0.9F);
     QCOMPARE(known->side(), side);
-    QCOMPARE(known->levels().size(), whole->levels().size() - 2);
-    for (std::size_t level = 0; level < known->levels().size(); ++level)
-        QCOMPARE(known->levels()[level].shades, whole->levels()[level + 2].shades);
+    QCOMPARE(known->levelCount(), whole->levelCount() - 2);
+    for (int level = 0; level < known->levelCount(); ++level)
+        QCOMPARE(shadesOf(*known, level), shadesOf(*whole, level + 2));
     for (const double cells : {0.1, 1.0, 3.9, 4.0, 7.9, 8.0, 100.0})
         QCOMPARE(known->halvings(known->levelFor(cells)), std::max(whole->levelFor(cells), 2));
 

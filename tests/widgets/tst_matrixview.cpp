@@ -15,6 +15,20 @@
 
 using namespace quadrille::widgets;
 
+namespace {
+
+/// \param marks  in any order.
+MatrixMarkRow rowsOf(const std::vector<MatrixMark>& marks)
+{
+    return [marks](int row, std::vector<MatrixMark>& ofRow) {
+        for (const MatrixMark& mark : marks)
+            if (mark.row == row)
+                ofRow.push_back(mark);
+    };
+}
+
+} // namespace
+
 class TestMatrixView : public QObject
 {
     Q_OBJECT
@@ -182,10 +196,17 @@ void TestMatrixView::pageKeysGoFromBlockToBlock()
 
 void TestMatrixView::marksThinOutToTheLightest()
 {
-    const std::vector<MatrixMark> marks = {{0, 0, 3}, {1, 1, 1}, {3, 3, 2}, {3, 2, 2}, {0, 5, 9}};
-    QCOMPARE(thinMarks(marks, 1), marks);
-    QCOMPARE(thinMarks(marks, 4), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}}));
-    QCOMPARE(thinMarks(marks, 2), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}, {3, 3, 2}}));
+    const std::vector<MatrixMark> marks = {{0, 0, 3}, {0, 5, 9}, {1, 1, 1}, {3, 2, 2}, {3, 3, 2}};
+    const MatrixMarkRow rows = rowsOf(marks);
+    const MatrixPart all{0, 5, 0, 5};
+    QCOMPARE(thinMarks(rows, 6, all, 1), marks);
+    QCOMPARE(thinMarks(rows, 6, all, 4), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}}));
+    QCOMPARE(thinMarks(rows, 6, all, 2), (std::vector<MatrixMark>{{1, 1, 1}, {0, 5, 9}, {3, 2, 2}}));
+    // Of a part only those of whole squares that reach into it.
+    QCOMPARE(thinMarks(rows, 6, {1, 1, 1, 1}, 1), (std::vector<MatrixMark>{{1, 1, 1}}));
+    QCOMPARE(thinMarks(rows, 6, {2, 2, 2, 2}, 2), (std::vector<MatrixMark>{{3, 2, 2}}));
+    QCOMPARE(thinMarks(rows, 6, {0, 1, 5, 5}, 4), (std::vector<MatrixMark>{{0, 5, 9}}));
+    QVERIFY(thinMarks(rows, 6, {}, 2).empty());
 }
 
 void TestMatrixView::marksShowOnTheirCells()
@@ -196,10 +217,8 @@ void TestMatrixView::marksShowOnTheirCells()
         return picture.pixelColor(
             (m_view->cellRect({row, column}).center() * picture.devicePixelRatio()).toPoint());
     };
-    m_view->setMarks(MatrixView::Layer::First, "A",
-                     std::make_shared<std::vector<MatrixMark>>(1, MatrixMark{2, 3, 1}));
-    m_view->setMarks(MatrixView::Layer::Second, "B",
-                     std::make_shared<std::vector<MatrixMark>>(1, MatrixMark{4, 1, 1}));
+    m_view->setMarks(MatrixView::Layer::First, "A", rowsOf({{2, 3, 1}}));
+    m_view->setMarks(MatrixView::Layer::Second, "B", rowsOf({{4, 1, 1}}));
     QCOMPARE(colorAt(2, 3), QColor(Qt::white));
     QVERIFY(colorAt(4, 1).red() > 200);
     m_view->setMarksVisible(MatrixView::Layer::First, false);

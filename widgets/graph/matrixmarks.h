@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace quadrille::widgets {
@@ -16,9 +16,30 @@ struct MatrixMark
     bool operator==(const MatrixMark&) const = default;
 };
 
-/// One cell gives all back as they are. Cost: O(marks + (side / cells)²).
-/// \param cells  how many cells along each side share one mark.
-/// \return of every square of cells that has marks the lightest (of two alike the first), by rows of squares.
-std::vector<MatrixMark> thinMarks(const std::vector<MatrixMark>& marks, int cells);
+/// Adds the marks of a row to others: they stay where they are, as there may be millions.
+using MatrixMarkRow = std::function<void(int row, std::vector<MatrixMark>& marks)>;
+
+/// Some rows and columns of a table; both ends belong to it.
+struct MatrixPart
+{
+    int firstRow = 0;
+    int lastRow = -1;
+    int firstColumn = 0;
+    int lastColumn = -1;
+
+    bool contains(const MatrixPart& other) const
+    {
+        return firstRow <= other.firstRow && other.lastRow <= lastRow && firstColumn <= other.firstColumn &&
+               other.lastColumn <= lastColumn;
+    }
+    /// With as much again around it, inside a table of so many rows and columns.
+    MatrixPart grown(int side) const;
+};
+
+/// Of every square of cells that has marks the lightest (of two alike the first), by rows of squares.
+/// Cost: O(marks of these rows + squares of the part).
+/// \param part  of a table with `side` rows; is made larger to whole squares. \param cells  along each side
+/// of a square; one gives all marks.
+std::vector<MatrixMark> thinMarks(const MatrixMarkRow& marks, int side, const MatrixPart& part, int cells);
 
 } // namespace quadrille::widgets

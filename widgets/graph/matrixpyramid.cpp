@@ -8,51 +8,13 @@ namespace quadrille::widgets {
 
 namespace {
 
-constexpr int rowsBetweenQuestions = 64;
-
-class Shader
-{
-public:
-    Shader(float minimum, float maximum)
-        : m_minimum(minimum)
-        , m_steps(maximum > minimum ? MatrixPyramid::colorSteps / (maximum - minimum) : 0.0F)
-    {
-    }
-    /// \pre value is finite.
-    int step(float value) const
-    {
-        const float step = (value - m_minimum) * m_steps;
-        return static_cast<int>(std::clamp(step, 0.0F, MatrixPyramid::colorSteps - 1.0F));
-    }
-
-private:
-    float m_minimum;
-    float m_steps;
-};
-
-void shadeRow(const MatrixValues& table, int row, const Shader& shader, const MatrixFilter& filter,
-              MatrixPyramid::Shade* shades)
-{
-    const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(table.side);
-    const float* values = table.values.get() + start;
-    const std::uint16_t* lengths = table.lengths ? table.lengths.get() + start : nullptr;
-    for (int column = 0; column < table.side; ++column) {
-        const float value = values[column];
-        if (!(value < std::numeric_limits<float>::infinity())) {
-            shades[column] = MatrixPyramid::nothing;
-            continue;
-        }
-        const int grey = filter.passes(value, lengths ? lengths[column] : 0) ? 0 : MatrixPyramid::firstGrey;
-        shades[column] = static_cast<MatrixPyramid::Shade>(shader.step(value) + grey);
-    }
-}
+constexpr int rowsBetweenQuestions = 32;
 
 /// Shades are ordered by what is seen first, so that a smaller copy takes the least of four.
-void halveRow(const MatrixPyramid::Level& from, int row, MatrixPyramid::Shade* shades)
+void halve(std::span<const MatrixPyramid::Shade> upper, std::span<const MatrixPyramid::Shade> lower,
+           MatrixPyramid::Shade* shades)
 {
-    const auto side = static_cast<std::size_t>(from.side);
-    const MatrixPyramid::Shade* upper = from.shades.data() + static_cast<std::size_t>(row) * 2 * side;
-    const MatrixPyramid::Shade* lower = 2 * row + 1 < from.side ? upper + side : upper;
+    const std::size_t side = upper.size();
     for (std::size_t column = 0; column + 1 < side; column += 2)
         shades[column / 2] =
             std::min(std::min(upper[column], upper[column + 1]), std::min(lower[column], lower[column + 1]));
@@ -62,39 +24,79 @@ void halveRow(const MatrixPyramid::Level& from, int row, MatrixPyramid::Shade* s
 
 } // namespace
 
+MatrixPyramid::MatrixPyramid(const MatrixValues& finest, float minimum, float maximum,
+                             const MatrixFilter& filter)
+    : m_finest(finest)
+    , m_minimum(minimum)
+    , m_steps(maximum > minimum ? colorSteps / (maximum - minimum) : 0.0F)
+    , m_filter(filter)
+    , m_passesAll(filter == MatrixFilter())
+{
+}
+
+int MatrixPyramid::levelCount() const
+{
+    return m_finest.side > 0 ? static_cast<int>(m_halves.size()) + 1 : 0;
+}
+
+int MatrixPyramid::sideOf(int level) const
+{
+    return level == 0 ? m_finest.side : m_halves[static_cast<std::size_t>(level) - 1].side;
+}
+
 int MatrixPyramid::levelFor(double cells) const
 {
     int level = 0;
-    while (level + 1 < static_cast<int>(m_levels.size()) &&
-           static_cast<double>(2 << halvings(level)) <= cells)
+    while (level + 1 < levelCount() && static_cast<double>(2 << halvings(level)) <= cells)
         ++level;
     return level;
 }
 
-/// \return false when cancelled.
-bool MatrixPyramid::addLevels(const MatrixValues& finest, float minimum, float maximum,
-                              const MatrixFilter& filter, const std::function<bool()>& isCancelled)
+void MatrixPyramid::read(int level, int row, int column, std::span<Shade> shades) const
 {
-    const auto add = [&](int side, const auto& fillRow) {
-        Level made{side, {}};
-        made.shades.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-        for (int row = 0; row < side; ++row) {
+    const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(sideOf(level)) +
+                       static_cast<std::size_t>(column);
+    if (level > 0) {
+        const Shade* kept = m_halves[static_cast<std::size_t>(level) - 1].shades.data() + start;
+        std::copy_n(kept, shades.size(), shades.begin());
+        return;
+    }
+    const float* values = m_finest.values.get() + start;
+    const std::uint16_t* lengths =
+        m_finest.lengths && !m_passesAll ? m_finest.lengths.get() + start : nullptr;
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        const float value = values[i];
+        if (!(value < std::numeric_limits<float>::infinity())) {
+            shades[i] = nothing;
+            continue;
+        }
+        const float step = std::clamp((value - m_minimum) * m_steps, 0.0F, colorSteps - 1.0F);
+        const int grey = m_passesAll || m_filter.passes(value, lengths ? lengths[i] : 0) ? 0 : firstGrey;
+        shades[i] = static_cast<Shade>(static_cast<int>(step) + grey);
+    }
+}
+
+/// \return false when cancelled.
+bool MatrixPyramid::addHalves(const std::function<bool()>& isCancelled)
+{
+    std::vector<Shade> rows;
+    for (int level = 0; level < levelCount() && sideOf(level) > 1; ++level) {
+        const int side = sideOf(level);
+        const int half = (side + 1) / 2;
+        Level made{half, {}};
+        made.shades.resize(static_cast<std::size_t>(half) * static_cast<std::size_t>(half));
+        rows.resize(2 * static_cast<std::size_t>(side));
+        const std::span<Shade> upper(rows.data(), static_cast<std::size_t>(side));
+        const std::span<Shade> lower(rows.data() + side, static_cast<std::size_t>(side));
+        for (int row = 0; row < half; ++row) {
             if (row % rowsBetweenQuestions == 0 && isCancelled && isCancelled())
                 return false;
-            fillRow(row, made.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(side));
+            read(level, 2 * row, 0, upper);
+            read(level, std::min(2 * row + 1, side - 1), 0, lower);
+            halve(upper, lower,
+                  made.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(half));
         }
-        m_levels.push_back(std::move(made));
-        return true;
-    };
-    if (finest.side <= 0)
-        return true;
-    const Shader shader(minimum, maximum);
-    if (!add(finest.side, [&](int row, Shade* shades) { shadeRow(finest, row, shader, filter, shades); }))
-        return false;
-    while (m_levels.back().side > 1) {
-        const Level& finer = m_levels.back();
-        if (!add((finer.side + 1) / 2, [&](int row, Shade* shades) { halveRow(finer, row, shades); }))
-            return false;
+        m_halves.push_back(std::move(made));
     }
     return true;
 }
@@ -103,21 +105,20 @@ std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& valu
                                                         float maximum, const MatrixFilter& filter,
                                                         const std::function<bool()>& isCancelled)
 {
-    auto pyramid = std::make_shared<MatrixPyramid>();
+    const std::shared_ptr<MatrixPyramid> pyramid(new MatrixPyramid(values, minimum, maximum, filter));
     pyramid->m_side = std::max(values.side, 0);
-    if (!pyramid->addLevels(values, minimum, maximum, filter, isCancelled))
-        return nullptr;
-    return pyramid;
+    return pyramid->addHalves(isCancelled) ? pyramid : nullptr;
 }
 
 std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview, float minimum,
                                                         float maximum)
 {
-    auto pyramid = std::make_shared<MatrixPyramid>();
+    const std::shared_ptr<MatrixPyramid> pyramid(
+        new MatrixPyramid({overview.squares(), overview.least, nullptr}, minimum, maximum, {}));
     pyramid->m_side = overview.side;
     for (int each = overview.cellsEach; each > 1; each /= 2)
         ++pyramid->m_firstHalvings;
-    pyramid->addLevels({overview.squares(), overview.least, nullptr}, minimum, maximum, {}, {});
+    pyramid->addHalves({});
     return pyramid;
 }
 

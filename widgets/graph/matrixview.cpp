@@ -101,8 +101,7 @@ bool MatrixView::Private::hasPassed(const MatrixCell& cell) const
     return !passes || passes(blockOf(cell.row), blockOf(cell.column));
 }
 
-void MatrixView::setMarks(Layer layer, const QString& title,
-                          std::shared_ptr<const std::vector<MatrixMark>> marks)
+void MatrixView::setMarks(Layer layer, const QString& title, MatrixMarkRow marks)
 {
     MatrixMarkLayer& own = d->layers[static_cast<std::size_t>(layer)];
     const bool isLayOutSame = own.title == title;
@@ -280,6 +279,17 @@ QRectF MatrixView::Private::rect(const MatrixCell& cell) const
 {
     return {area.left() + origin.x() + cell.column * scale.width(),
             area.top() + origin.y() + cell.row * scale.height(), scale.width(), scale.height()};
+}
+
+MatrixPart MatrixView::Private::shownPart(double around) const
+{
+    const auto cell = [this](double place, double start, double size) {
+        return static_cast<int>(std::clamp(std::floor((place - start) / size), 0.0, side() - 1.0));
+    };
+    return {.firstRow = cell(-around, origin.y(), scale.height()),
+            .lastRow = cell(area.height() + around, origin.y(), scale.height()),
+            .firstColumn = cell(-around, origin.x(), scale.width()),
+            .lastColumn = cell(area.width() + around, origin.x(), scale.width())};
 }
 
 QRectF MatrixView::cellRect(const MatrixCell& cell) const

@@ -69,7 +69,7 @@ public:
     void setBlockFilter(std::function<bool(int row, int column)> passes);
     bool passesFilter(const MatrixCell& cell) const;
     /// \param title  of the legend, e.g. the name of the graph.
-    void setMarks(Layer layer, const QString& title, std::shared_ptr<const std::vector<MatrixMark>> marks);
+    void setMarks(Layer layer, const QString& title, MatrixMarkRow marks);
     void setMarksVisible(Layer layer, bool visible);
     bool areMarksVisible(Layer layer) const;
     /// What stands in the middle while there is no table.

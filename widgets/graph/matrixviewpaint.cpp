@@ -48,6 +48,16 @@ std::vector<int> cellsOfPixels(int pixels, double ratio, double origin, double s
     return cells;
 }
 
+/// The first and the last of them that are in the table; 0 and −1 where none is.
+std::pair<int, int> shownCells(const std::vector<int>& cells)
+{
+    const auto isShown = [](int cell) { return cell >= 0; };
+    const auto first = std::ranges::find_if(cells, isShown);
+    if (first == cells.end())
+        return {0, -1};
+    return {*first, *std::max_element(first, cells.end())};
+}
+
 } // namespace
 
 void paintMatrixMark(QPainter& painter, MatrixView::Layer layer, const QPointF& middle, double radius)
@@ -107,12 +117,13 @@ void MatrixView::Private::paintPicture(double ratio)
     picture = QImage(pixels, QImage::Format_RGB32);
     picture.setDevicePixelRatio(ratio);
     const int level = pyramid->levelFor(1.0 / (cell() * ratio));
-    const MatrixPyramid::Level& shown = pyramid->levels()[static_cast<std::size_t>(level)];
     const int halvings = pyramid->halvings(level);
     const auto columns = cellsOfPixels(pixels.width(), ratio, origin.x(), scale.width(), halvings, side());
     const auto rows = cellsOfPixels(pixels.height(), ratio, origin.y(), scale.height(), halvings, side());
     const std::array<QRgb, 256> colors = shadeColors();
     const QRgb outside = Theme::color(ColorRole::Window).rgb();
+    const auto [first, last] = shownCells(columns);
+    std::vector<MatrixPyramid::Shade> shades(static_cast<std::size_t>(last - first + 1));
     int rowBefore = -2;
     for (int y = 0; y < pixels.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(y));
@@ -123,11 +134,10 @@ void MatrixView::Private::paintPicture(double ratio)
         } else if (row < 0) {
             std::fill_n(line, pixels.width(), outside);
         } else {
-            const MatrixPyramid::Shade* shades =
-                shown.shades.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(shown.side);
+            pyramid->read(level, row, first, shades);
             for (int x = 0; x < pixels.width(); ++x) {
                 const int column = columns[static_cast<std::size_t>(x)];
-                line[x] = column < 0 ? outside : colors[shades[column]];
+                line[x] = column < 0 ? outside : colors[shades[static_cast<std::size_t>(column - first)]];
             }
         }
         rowBefore = row;
@@ -193,11 +203,13 @@ void MatrixView::Private::paintMarks(QPainter& painter, double ratio)
         MatrixMarkLayer& layer = layers[i];
         if (!layer.marks || !layer.isVisible)
             continue;
-        if (layer.thinnedBy != cells) {
-            layer.thinned = thinMarks(*layer.marks, cells);
+        const double half = stamps[i].width() / ratio / 2;
+        const MatrixPart shown = shownPart(half);
+        if (layer.thinnedBy != cells || !layer.part.contains(shown)) {
+            layer.part = shown.grown(side());
+            layer.thinned = thinMarks(layer.marks, side(), layer.part, cells);
             layer.thinnedBy = cells;
         }
-        const double half = stamps[i].width() / ratio / 2;
         const QRectF reach = QRectF(area).adjusted(-half, -half, half, half);
         for (const MatrixMark& mark : layer.thinned) {
             const QPointF middle = rect({mark.row, mark.column}).center();

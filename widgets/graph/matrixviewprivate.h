@@ -19,10 +19,11 @@ namespace quadrille::widgets {
 struct MatrixMarkLayer
 {
     QString title;
-    std::shared_ptr<const std::vector<MatrixMark>> marks;
+    MatrixMarkRow marks; ///< null for none
     bool isVisible = true;
-    std::vector<MatrixMark> thinned; ///< for the zoom now
-    int thinnedBy = 0;               ///< cells along each side that share a mark; 0: not thinned yet
+    std::vector<MatrixMark> thinned; ///< those of a part that shows, for the zoom now
+    MatrixPart part;
+    int thinnedBy = 0; ///< cells along each side that share a mark; 0: not thinned yet
 };
 
 struct MatrixView::Private
@@ -54,7 +55,7 @@ struct MatrixView::Private
     std::array<QPixmap, 2> stamps;
     double stampRadius = 0;
 
-    bool isEmpty() const { return !pyramid || pyramid->levels().empty(); }
+    bool isEmpty() const { return !pyramid || pyramid->levelCount() == 0; }
     int side() const { return isEmpty() ? 0 : pyramid->side(); }
     QSizeF fittingScale() const;
     /// The smaller side of a cell.
@@ -63,6 +64,8 @@ struct MatrixView::Private
     void keepInView();
     int blockOf(int index) const;
     QRectF rect(const MatrixCell& cell) const;
+    /// What shows of the table, and a little more around it. \pre Not empty.
+    MatrixPart shownPart(double around) const;
     QString frameText(int index) const;
     bool hasPassed(const MatrixCell& cell) const;
     /// A number beside the table, and its row or column.

@@ -49,8 +49,8 @@ widgets::ScalarRange shownRange(const CostRange& range)
     return shown;
 }
 
-Picture makePicture(const TransitionCosts& costs, const widgets::MatrixValues& values,
-                    const widgets::MatrixFilter& filter, const Progress& progress)
+/// The share of transitions that pass, judged by some of them.
+double keptBy(const widgets::MatrixFilter& filter, const widgets::MatrixValues& values)
 {
     const auto count = static_cast<std::size_t>(values.side) * static_cast<std::size_t>(values.side);
     const std::size_t step = std::max<std::size_t>(count / sampledCells, 1);
@@ -63,10 +63,16 @@ Picture makePicture(const TransitionCosts& costs, const widgets::MatrixValues& v
         ++looked;
         passing += filter.passes(value, values.lengths.get()[i]) ? 1 : 0;
     }
+    return looked > 0 ? static_cast<double>(passing) / static_cast<double>(looked) : 1;
+}
+
+Picture makePicture(const TransitionCosts& costs, const widgets::MatrixValues& values,
+                    const widgets::MatrixFilter& filter, const Progress& progress)
+{
     Picture picture;
     picture.range = shownRange(costRange(costs.cost()));
-    if (looked > 0)
-        picture.kept = static_cast<double>(passing) / static_cast<double>(looked);
+    if (filter != widgets::MatrixFilter())
+        picture.kept = keptBy(filter, values);
     picture.pyramid =
         widgets::buildMatrixPyramid(values, static_cast<float>(picture.range.minimum),
                                     static_cast<float>(picture.range.maximum), filter, [&progress] {

@@ -25,13 +25,15 @@ using widgets::TakeGraphView;
 
 constexpr int widestTakeFilter = 180; // pixels
 
-std::shared_ptr<const std::vector<widgets::MatrixMark>> marksOf(const Digraph& graph)
+widgets::MatrixMarkRow marksOf(const Digraph& graph)
 {
-    auto marks = std::make_shared<std::vector<widgets::MatrixMark>>();
-    for (const Edge& edge : graph.edges())
-        if (edge.kind == EdgeKind::Transition)
-            marks->push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
-    return marks;
+    return [graph](int row, std::vector<widgets::MatrixMark>& marks) {
+        if (row >= graph.nodeCount()) // the table is that of another graph by now
+            return;
+        for (const Edge& edge : graph.edgesFrom(row))
+            if (edge.kind == EdgeKind::Transition)
+                marks.push_back({edge.from, edge.to, static_cast<float>(edge.weight)});
+    };
 }
 
 /// Whether an edge is a transition between takes that are looked at.
