@@ -5913,10 +5913,6 @@
         <translation>Graphe de mouvement</translation>
     </message>
     <message>
-        <source>Computing the graphs for several α…</source>
-        <translation>Calcul des graphes pour plusieurs α…</translation>
-    </message>
-    <message>
         <source>Compute the graph to compare it over α.</source>
         <translation>Calculez le graphe pour le comparer selon α.</translation>
     </message>
@@ -5931,6 +5927,18 @@
     <message>
         <source>Mean path cost</source>
         <translation>Coût moyen des chemins</translation>
+    </message>
+    <message>
+        <source>Of so many frames this takes some minutes and much memory.</source>
+        <translation>Pour autant d’images, cela prend quelques minutes et beaucoup de mémoire.</translation>
+    </message>
+    <message>
+        <source>Compare over α</source>
+        <translation>Comparer selon α</translation>
+    </message>
+    <message>
+        <source>Computing the graphs for several α: %1 of %2</source>
+        <translation>Calcul des graphes pour plusieurs α : %1 sur %2</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include "tests/qt/languages.h"
 #include "tests/qt/registry.h"
 #include "widgets/graph/arcview.h"
+#include "widgets/graph/linechart.h"
 #include "widgets/graph/logslider.h"
 #include "widgets/graph/takegraphview.h"
 
@@ -22,6 +23,7 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QMenu>
+#include <QPushButton>
 #include <QSplitter>
 #include <QTimer>
 #include <QToolButton>
@@ -246,6 +248,23 @@ private slots:
         QCOMPARE(curve.front().x(), explorer().comparison().front().alpha);
         QVERIFY(curve.front().y() < curve.back().y());
         QCOMPARE(text("logSliderLow").isEmpty(), false);
+    }
+
+    void manyFramesAreComparedOnDemand()
+    {
+        explorer().setMostFramesCompared(1);
+        compute();
+        context().actions.action("graph.charts")->trigger();
+        auto* button = test::find<QPushButton>("compareOverAlpha");
+        QTRY_VERIFY(explorer().gaps() != nullptr && button->isVisible());
+        QVERIFY(!explorer().isComparing() && explorer().comparison().empty());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(explorer().isComparing() && !button->isVisible());
+        // It goes on by itself where α moved.
+        explorer().setAlpha(0.3);
+        QTRY_VERIFY(explorer().comparison().size() > 8);
+        QVERIFY(!button->isVisible());
+        QVERIFY(!test::find<widgets::LineChart>("densityChart")->isEmpty());
     }
 
     void tablesAreSavedAsCsv()

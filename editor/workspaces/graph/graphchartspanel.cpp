@@ -7,6 +7,7 @@
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/theme.h"
 
+#include <QPushButton>
 #include <QVBoxLayout>
 #include <functional>
 
@@ -33,9 +34,10 @@ std::vector<ChartSeries> seriesOf(const std::vector<GraphComparison>& comparison
 } // namespace
 
 GraphChartsPanel::GraphChartsPanel(GraphExplorer& explorer, QWidget* parent)
-    : QWidget(parent), m_explorer(explorer)
+    : QWidget(parent), m_explorer(explorer), m_compare(new QPushButton)
 {
     setObjectName(QStringLiteral("graphChartsPanel"));
+    m_compare->setObjectName(QStringLiteral("compareOverAlpha"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(4, 4, 4, 4);
     column->setSpacing(8);
@@ -47,11 +49,17 @@ GraphChartsPanel::GraphChartsPanel(GraphExplorer& explorer, QWidget* parent)
         column->addWidget(m_charts[i], 1);
         connect(m_charts[i], &widgets::LineChart::markerMoved, this, &GraphChartsPanel::alphaEdited);
     }
+    column->addWidget(m_compare, 0, Qt::AlignHCenter);
+    connect(m_compare, &QPushButton::clicked, this, [this] {
+        m_explorer.wantComparison();
+        refresh();
+    });
     connect(&explorer, &GraphExplorer::characterChanged, this, &GraphChartsPanel::refresh);
     connect(&explorer, &GraphExplorer::comparisonChanged, this, &GraphChartsPanel::refresh);
     connect(&explorer, &GraphExplorer::graphsChanged, this, [this] {
         if (isVisible())
             m_explorer.askForComparison();
+        refresh();
     });
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &GraphChartsPanel::refresh);
     retranslates(this, [this] { retranslate(); });
@@ -84,8 +92,13 @@ void GraphChartsPanel::refresh()
     m_charts[2]->setSeries(seriesOf(comparison, essential, motion, [](const GraphStatistics& statistics) {
         return statistics.pathCosts.mean;
     }));
-    const QString empty = m_explorer.isComparing() ? tr("Computing the graphs for several α…")
-                                                   : tr("Compute the graph to compare it over α.");
+    const bool waits = m_explorer.graphs() && comparison.empty() && !m_explorer.comparesUnasked();
+    m_compare->setVisible(waits);
+    const auto [compared, all] = m_explorer.comparedAlphas();
+    const QString empty = m_explorer.isComparing()
+                              ? tr("Computing the graphs for several α: %1 of %2").arg(compared).arg(all)
+                          : waits ? tr("Of so many frames this takes some minutes and much memory.")
+                                  : tr("Compute the graph to compare it over α.");
     for (widgets::LineChart* chart : m_charts)
         chart->setEmptyText(empty);
 }
@@ -96,6 +109,7 @@ void GraphChartsPanel::retranslate()
     m_charts[0]->setAxes(alpha, {tr("Density"), QStringLiteral("%"), false});
     m_charts[1]->setAxes(alpha, {tr("Edges"), {}, false});
     m_charts[2]->setAxes(alpha, {tr("Mean path cost"), {}, false});
+    m_compare->setText(tr("Compare over α"));
     refresh();
 }
 

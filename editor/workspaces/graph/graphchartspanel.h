@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <array>
 
+class QPushButton;
+
 namespace quadrille {
 
 class GraphExplorer;
@@ -13,7 +15,8 @@ namespace widgets {
 class LineChart;
 } // namespace widgets
 
-/// Density, edges and mean path costs of both graphs against α. They are computed once somebody looks.
+/// Density, edges and mean path costs of both graphs against α. They are computed once somebody looks; of
+/// many frames once somebody wants them.
 class GraphChartsPanel : public QWidget
 {
     Q_OBJECT
@@ -37,6 +40,7 @@ private:
 
     GraphExplorer& m_explorer;
     std::array<widgets::LineChart*, 3> m_charts{}; ///< density, edges, mean cost
+    QPushButton* m_compare;
 };
 
 } // namespace quadrille

@@ -13,8 +13,8 @@ namespace quadrille {
 namespace {
 
 /// Those of SMCAS Fig. 9 and some on both sides.
-constexpr std::array<double, 12> comparedAlphas{0.001, 0.002, 0.005, 0.01, 0.02, 0.03,
-                                                0.05,  0.1,   0.2,   0.3,  0.5,  1.0};
+constexpr std::array<double, 12> alphasToCompare{0.001, 0.002, 0.005, 0.01, 0.02, 0.03,
+                                                 0.05,  0.1,   0.2,   0.3,  0.5,  1.0};
 
 template <typename Value>
 bool areEqual(TableView<Value> a, TableView<Value> b)
@@ -83,6 +83,7 @@ void GraphExplorer::setCharacter(std::shared_ptr<const OpenedCharacter> opened)
     m_gaps.reset();
     m_comparison.clear();
     m_compared.clear();
+    m_isComparisonWanted = false;
     m_filter = {};
     emit characterChanged();
     emit filterChanged();
@@ -197,25 +198,40 @@ void GraphExplorer::computeGaps()
         });
 }
 
+bool GraphExplorer::comparesUnasked() const
+{
+    return m_isComparisonWanted || (m_opened && m_opened->graph.layout().frameCount() <= m_mostCompared);
+}
+
+std::pair<int, int> GraphExplorer::comparedAlphas() const
+{
+    return {static_cast<int>(m_compared.size()), static_cast<int>(alphasToCompare.size())};
+}
+
+void GraphExplorer::wantComparison()
+{
+    m_isComparisonWanted = true;
+    askForComparison();
+}
+
 void GraphExplorer::askForComparison()
 {
-    if (!m_graphs || isBusy(m_comparing) || !m_comparison.empty())
+    if (!m_graphs || !comparesUnasked() || isBusy(m_comparing) || !m_comparison.empty())
         return;
     m_comparing = m_jobs.start(
         {.name = tr("Graphs against α"),
          .receiver = this,
          .stillStands = [this, generation = m_generation] { return generation == m_generation; },
          .background = true},
-        [opened = m_opened, minima = m_graphs->minima, alpha = comparedAlphas.at(m_compared.size())](
+        [opened = m_opened, minima = m_graphs->minima, alpha = alphasToCompare.at(m_compared.size())](
             const Progress& progress) { return compareAt(opened->graph.costs(), minima, alpha, progress); },
         [this](GraphComparison compared) {
             m_comparing.clear();
             m_compared.push_back(std::move(compared));
-            if (m_compared.size() < comparedAlphas.size()) {
+            if (m_compared.size() < alphasToCompare.size())
                 askForComparison();
-                return;
-            }
-            m_comparison = std::exchange(m_compared, {});
+            else
+                m_comparison = std::exchange(m_compared, {});
             emit comparisonChanged();
         });
     connect(m_comparing, &Job::ended, this, [this](Job::State state) {

@@ -14,6 +14,7 @@
 #include <QPointer>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace quadrille {
@@ -51,11 +52,19 @@ public:
     /// One that names all takes is an empty one.
     void setFilter(TakeFilter filter);
     /// Compares the graphs over the values of figure9Alphas and beyond, unless that was done. Nothing happens
-    /// before there are graphs. It comes by itself once gaps are there.
+    /// before there are graphs, or where they are not compared unasked. It comes by itself once gaps are
+    /// there.
     void askForComparison();
+    /// Whether both graphs are compared over α once somebody looks. Of many frames that takes minutes and
+    /// much memory: only once it was wanted.
+    bool comparesUnasked() const;
+    /// Compares them all the same, now and whenever α rests.
+    void wantComparison();
 
     /// From so many frames on, certain edges come first: of fewer all are there at once.
     void setManyFrames(NodeIndex frames) { m_manyFrames = frames; }
+    /// Up to so many they are compared unasked.
+    void setMostFramesCompared(NodeIndex frames) { m_mostCompared = frames; }
 
     /// The last that is known of each, maybe of an earlier α; null until there is any.
     const std::shared_ptr<const GraphPair>& graphs() const { return m_graphs; }
@@ -66,6 +75,8 @@ public:
     const std::vector<GraphComparison>& comparison() const { return m_comparison; }
     /// Whether a comparison is on its way.
     bool isComparing() const { return m_comparing != nullptr; }
+    /// For how many α it has come so far, and for how many it will.
+    std::pair<int, int> comparedAlphas() const;
 
 signals:
     /// Other transitions, or none.
@@ -76,7 +87,7 @@ signals:
     void graphsChanged();
     void pathsChanged();
     void gapsChanged();
-    /// A comparison is there, or its job ended without.
+    /// A comparison is there, came further, or its job ended without.
     void comparisonChanged();
     void filterChanged();
 
@@ -91,6 +102,8 @@ private:
     std::shared_ptr<const OpenedCharacter> m_opened;
     double m_alpha = usualAlpha;
     NodeIndex m_manyFrames = 3000;
+    NodeIndex m_mostCompared = 5000;
+    bool m_isComparisonWanted = false; ///< of this character
     TakeFilter m_filter;
     std::shared_ptr<const GraphPair> m_graphs;
     std::shared_ptr<const MeasuredGraphs> m_measured;
