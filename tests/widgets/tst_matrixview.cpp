@@ -44,6 +44,7 @@ private slots:
     void pageKeysGoFromBlockToBlock();
     void marksThinOutToTheLightest();
     void marksShowOnTheirCells();
+    void marksShowWhereTheTableIsMoved();
     void theCellIsReadOut();
     void theTableFillsItsPlace();
     void framesAreNumberedAsThereIsRoom();
@@ -223,6 +224,19 @@ void TestMatrixView::marksShowOnTheirCells()
     QVERIFY(colorAt(4, 1).red() > 200);
     m_view->setMarksVisible(MatrixView::Layer::First, false);
     QVERIFY(colorAt(2, 3) != QColor(Qt::white));
+}
+
+/// Marks are looked for where the table shows.
+void TestMatrixView::marksShowWhereTheTableIsMoved()
+{
+    m_view->setMarks(MatrixView::Layer::First, "A", rowsOf({{2, 3, 1}, {30, 31, 1}}));
+    m_view->zoomAbout(m_view->matrixArea().topLeft(), 10);
+    for (const MatrixCell& cell : {MatrixCell{2, 3}, MatrixCell{30, 31}, MatrixCell{2, 3}}) {
+        m_view->reveal(cell);
+        const QImage picture = m_view->grab().toImage();
+        QCOMPARE(picture.pixelColor((m_view->cellRect(cell).center() * picture.devicePixelRatio()).toPoint()),
+                 QColor(Qt::white));
+    }
 }
 
 void TestMatrixView::theCellIsReadOut()
