@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/freememory.h"
 
+#include "model/core/largeblocks.h"
+
 #include <cstdlib> // tells which C library it is
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -11,6 +13,7 @@ namespace quadrille {
 
 void returnFreeMemory()
 {
+    releaseLargeBlocks();
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif

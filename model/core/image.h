@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/largeblocks.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +18,7 @@ struct Image
 {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> pixels; ///< height × width × 4, R G B A
+    std::vector<std::uint8_t, LargeBlocks<std::uint8_t>> pixels; ///< height × width × 4, R G B A
 
     Image() = default;
     Image(int w, int h);

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-// Reading and writing JPEG textures beside OpenCV and the reordering of colours that it needs.
+// Reading and writing JPEG textures beside OpenCV and the reordering of colours that it needs; the memory of
+// a texture beside that of a list of bytes.
 #include "model/core/image.h"
 
+#include <array>
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
@@ -72,9 +74,35 @@ void encodeByOpenCv(benchmark::State& state)
     }
 }
 
+/// Makes a texture while the last ones are kept, as those are that play them.
+template <typename Pixels>
+void pixelMemory(benchmark::State& state)
+{
+    const auto side = static_cast<std::size_t>(state.range(0));
+    std::array<Pixels, 4> kept;
+    std::size_t next = 0;
+    for (auto _ : state) {
+        Pixels& pixels = kept[next++ % kept.size()];
+        pixels = Pixels(side * side * 4);
+        benchmark::DoNotOptimize(pixels.data());
+    }
+}
+
+void memory(benchmark::State& state)
+{
+    pixelMemory<decltype(Image::pixels)>(state);
+}
+
+void memoryByList(benchmark::State& state)
+{
+    pixelMemory<std::vector<std::uint8_t>>(state);
+}
+
 } // namespace
 
 BENCHMARK(decode)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);
 BENCHMARK(decodeByOpenCv)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);
 BENCHMARK(encode)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(encodeByOpenCv)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(memory)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);
+BENCHMARK(memoryByList)->Arg(1024)->Arg(2048)->Unit(benchmark::kMillisecond);

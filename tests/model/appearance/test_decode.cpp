@@ -228,7 +228,7 @@ TEST(AppearanceDecoder, TakesAnAtlasOfOneTexel)
     spaces.textures.mean = {10, 20, 300};
     spaces.warps.mean = {5, -5};
     const Image texture = AppearanceDecoder(sharedModel(spaces)).decode({});
-    EXPECT_EQ(texture.pixels, (std::vector<std::uint8_t>{10, 20, 255, 255}));
+    EXPECT_EQ(texture.pixels, (decltype(Image::pixels){10, 20, 255, 255}));
 }
 
 TEST(SpreadTexels, GiveTheColourOfTheNearestUsedTexel)

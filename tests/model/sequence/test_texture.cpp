@@ -54,7 +54,7 @@ TEST(Texture, IsMadeWhenItIsAskedFor)
     EXPECT_FALSE(texture.isEmpty());
     EXPECT_TRUE(Texture().isEmpty());
     EXPECT_EQ(times, 0);
-    EXPECT_EQ(texture.load()->pixels, (std::vector<std::uint8_t>{7, 8, 9, 255}));
+    EXPECT_EQ(texture.load()->pixels, (decltype(Image::pixels){7, 8, 9, 255}));
     EXPECT_EQ(times, 1);
 }
 
