@@ -227,12 +227,7 @@ void AppearanceDecoder::decode(const AppearanceCoefficients& coefficients, Decod
     const QuantisedSpace& warps = m_model->warps;
     if (warps.size == 0)
         return copyUsed(scratch, texture);
-    scratch.warp.resize(warps.mean.size());
-    for (std::int64_t b = 0; b < warps.blocks(); ++b)
-        combineBlock(
-            warps, b, coefficients.warps,
-            std::span(scratch.warp)
-                .subspan(static_cast<std::size_t>(b * QuantisedSpace::blockSize), QuantisedSpace::blockSize));
+    combine(warps, coefficients.warps, scratch.warp);
     dealign(scratch, texture);
 }
 

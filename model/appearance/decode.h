@@ -21,9 +21,12 @@ class RowWarp;
 /// allocated again. One for each thread.
 struct DecodeScratch
 {
-    std::vector<std::uint32_t> aligned; ///< what is looked up in, R G B A, with some texels around it
-    std::vector<float> warp;            ///< 2 values per node
-    std::vector<float> rows;            ///< warps of the texels of two rows of nodes
+    std::vector<std::uint32_t> aligned;      ///< what is looked up in, R G B A, with some texels around it
+    std::vector<float> warp;                 ///< 2 values per node
+    std::vector<float> rows;                 ///< warps of the texels of two rows of nodes
+    std::vector<float> blendWarp;            ///< that of a blend, where two are mixed
+    std::vector<float> ownWarp;              ///< that of one of them
+    std::array<std::vector<float>, 2> moves; ///< from theirs to that of the blend
 };
 
 /// A texture, and what moves it.

@@ -4,6 +4,8 @@
 
 #include "model/appearance/decodekernels.h"
 
+#include <array>
+
 namespace quadrille {
 
 struct ModelTextures::Opened
@@ -71,14 +73,14 @@ Image blendedTexture(const AppearanceDecoder& decoder, const AppearanceCoefficie
     Image blended = mixedTexture(firstTexture, secondTexture, weight);
     if (model.warps.count == 0 || weight <= 0 || weight >= 1)
         return blended;
-    const std::vector<float> wanted = combined(model.warps, interpolated(first, second, weight).warps);
-    const auto warpFrom = [&](const AppearanceCoefficients& from) {
-        return warpBetween(combined(model.warps, from.warps), wanted, model.grid, decoder.nodes());
-    };
-    const std::vector<float> firstWarp = warpFrom(first);
-    const std::vector<float> secondWarp = warpFrom(second);
-    decoder.mix({firstTexture, firstWarp}, {secondTexture, secondWarp}, static_cast<float>(weight), scratch,
-                blended);
+    combine(model.warps, interpolated(first, second, weight).warps, scratch.blendWarp);
+    const std::array own{&first, &second};
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        combine(model.warps, own[i]->warps, scratch.ownWarp);
+        setWarpBetween(scratch.ownWarp, scratch.blendWarp, model.grid, decoder.nodes(), scratch.moves[i]);
+    }
+    decoder.mix({firstTexture, scratch.moves[0]}, {secondTexture, scratch.moves[1]},
+                static_cast<float>(weight), scratch, blended);
     return blended;
 }
 

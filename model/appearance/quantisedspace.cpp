@@ -86,13 +86,19 @@ void combineBlock(const QuantisedSpace& space, std::int64_t block, std::span<con
 
 std::vector<float> combined(const QuantisedSpace& space, std::span<const float> coefficients)
 {
-    std::vector<float> values(space.mean.size());
+    std::vector<float> values;
+    combine(space, coefficients, values);
+    return values;
+}
+
+void combine(const QuantisedSpace& space, std::span<const float> coefficients, std::vector<float>& values)
+{
+    values.resize(space.mean.size());
     for (std::int64_t b = 0; b < space.blocks(); ++b)
         combineBlock(space, b, coefficients,
                      std::span(values).subspan(static_cast<std::size_t>(b * QuantisedSpace::blockSize),
                                                QuantisedSpace::blockSize));
     values.resize(static_cast<std::size_t>(space.size));
-    return values;
 }
 
 Eigen::MatrixXd componentProducts(const QuantisedSpace& space, std::span<const std::uint8_t> known,

@@ -59,6 +59,8 @@ void combineBlock(const QuantisedSpace& space, std::int64_t block, std::span<con
 
 /// All n values of mean + Σ coefficient · component. \pre coefficients.size() ≤ k.
 std::vector<float> combined(const QuantisedSpace& space, std::span<const float> coefficients);
+/// The same in place of other values.
+void combine(const QuantisedSpace& space, std::span<const float> coefficients, std::vector<float>& values);
 
 /// The products of all components with each other, k × k, exact but for the roundings of double precision.
 /// \param known  per value, 1 where it counts and 0 elsewhere; empty: all count. Cost: O(n · k²).

@@ -9,7 +9,15 @@ namespace quadrille {
 std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
                                std::span<const NodeRun> nodes)
 {
-    std::vector<float> between(to.size());
+    std::vector<float> between;
+    setWarpBetween(from, to, grid, nodes, between);
+    return between;
+}
+
+void setWarpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
+                    std::span<const NodeRun> nodes, std::vector<float>& between)
+{
+    between.assign(to.size(), 0);
     std::vector<float> columns;
     columns.reserve(static_cast<std::size_t>(grid.width));
     for (int column = 0; column < grid.width; ++column)
@@ -20,7 +28,6 @@ std::vector<float> warpBetween(std::span<const float> from, std::span<const floa
         undoWarp(from.data(), grid, columns.data() + run.column, run.row * grid.spacing, run.count,
                  to.data() + 2 * begin, between.data() + 2 * begin);
     }
-    return between;
 }
 
 } // namespace quadrille

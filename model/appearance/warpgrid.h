@@ -43,5 +43,8 @@ struct NodeRun
 /// at others. \return 2 values per node.
 std::vector<float> warpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
                                std::span<const NodeRun> nodes);
+/// The same in place of another warp.
+void setWarpBetween(std::span<const float> from, std::span<const float> to, const WarpGrid& grid,
+                    std::span<const NodeRun> nodes, std::vector<float>& between);
 
 } // namespace quadrille

@@ -5,6 +5,7 @@
 // model of appearance, all of them or, as in clips, a second of blends after two of captured frames. Second
 // argument: the loader's threads. Third: whether a viewport shows them, whose drawing takes cores from the
 // loader where it is done by software.
+#include "editor/application/memory.h"
 #include "editor/playback/frameloader.h"
 #include "model/appearance/modeltextures.h"
 #include "model/core/mediacache.h"
@@ -123,6 +124,7 @@ private:
 
 void play(benchmark::State& state)
 {
+    keepMemoryTight(); // as the editor does: memory of large blocks goes back at once
     static const Textures textures;
     const std::array sequences{textures.series, textures.blends, textures.clip()};
     const MeshSequence sequence = square(sequences.at(static_cast<std::size_t>(state.range(0))));
