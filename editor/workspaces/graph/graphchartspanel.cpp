@@ -57,8 +57,9 @@ GraphChartsPanel::GraphChartsPanel(GraphExplorer& explorer, QWidget* parent)
     connect(&explorer, &GraphExplorer::characterChanged, this, &GraphChartsPanel::refresh);
     connect(&explorer, &GraphExplorer::comparisonChanged, this, &GraphChartsPanel::refresh);
     connect(&explorer, &GraphExplorer::graphsChanged, this, [this] {
-        if (isVisible())
-            m_explorer.askForComparison();
+        if (!isVisible())
+            return;
+        m_explorer.askForComparison();
         refresh();
     });
     connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &GraphChartsPanel::refresh);
