@@ -76,16 +76,20 @@ public:
     {
         if (block.length > keptBytes)
             return unmap(block);
-        const std::scoped_lock lock(m_mutex);
+        Blocks dropped;
         std::ptrdiff_t old = 0;
-        for (; m_bytes + block.length > keptBytes; ++old) {
-            m_bytes -= m_blocks[static_cast<std::size_t>(old)].length;
-            unmap(m_blocks[static_cast<std::size_t>(old)]);
+        {
+            const std::scoped_lock lock(m_mutex);
+            dropped = m_blocks;
+            for (; m_bytes + block.length > keptBytes; ++old)
+                m_bytes -= m_blocks[static_cast<std::size_t>(old)].length;
+            std::move(m_blocks.begin() + old, m_blocks.begin() + m_count, m_blocks.begin());
+            m_count -= old;
+            m_blocks[static_cast<std::size_t>(m_count++)] = block;
+            m_bytes += block.length;
         }
-        std::move(m_blocks.begin() + old, m_blocks.begin() + m_count, m_blocks.begin());
-        m_count -= old;
-        m_blocks[static_cast<std::size_t>(m_count++)] = block;
-        m_bytes += block.length;
+        // It takes milliseconds, which nobody has to wait for.
+        std::for_each(dropped.begin(), dropped.begin() + old, unmap);
     }
 
     void release() noexcept
@@ -96,8 +100,10 @@ public:
     }
 
 private:
+    using Blocks = std::array<Block, keptBytes / pageBytes>;
+
     std::mutex m_mutex;
-    std::array<Block, keptBytes / pageBytes> m_blocks{};
+    Blocks m_blocks{};
     std::ptrdiff_t m_count = 0;
     std::size_t m_bytes = 0;
 };
