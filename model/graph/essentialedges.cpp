@@ -56,7 +56,6 @@ public:
         });
         m_graph.excesses = {};
         workspaces.clear();
-        returnFreeMemory();
         std::vector<std::size_t> doubtful;
         Digraph graph = join(doubtful);
         if (!doubtful.empty())
@@ -202,6 +201,12 @@ private:
         for (NodeIndex i = 0; i < m_frames; ++i)
             count += static_cast<std::size_t>(
                 std::ranges::count_if(m_graph.from(i), [&](const OutEdge& edge) { return !goes(i, edge); }));
+        constexpr std::size_t manyEdges = 1 << 20;
+        const auto returnMemoryOfMany = [count] {
+            if (count > manyEdges)
+                returnFreeMemory();
+        };
+        returnMemoryOfMany();
         std::vector<Edge> edges;
         edges.reserve(count);
         // Some frames after the others, whose own edges go then: of large graphs both take much.
@@ -221,7 +226,7 @@ private:
                 }
                 m_graph.from(i) = {};
             }
-            returnFreeMemory();
+            returnMemoryOfMany();
         }
         return {m_frames, std::move(edges)};
     }
