@@ -30,6 +30,7 @@
 #include "editor/workspaces/workspacetabs.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
+#include "widgets/theme/theme.h"
 #include "widgets/viewport/viewport.h"
 
 #include <QCloseEvent>
@@ -67,12 +68,15 @@ MainWindow::MainWindow(QWidget* parent)
     resize(1280, 800);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    makeCentre();
-    makeDocks();
-    makeWorkspaces();
-    makeActions();
-    makeThemeActions();
-    makeMenus();
+    {
+        const widgets::StyleWhenComplete style;
+        makeCentre();
+        makeDocks();
+        makeWorkspaces();
+        makeActions();
+        makeThemeActions();
+        makeMenus();
+    }
     connectAll();
     m_session = new SessionKeeper(m_context, *m_workspaces, *m_sequences, *this);
     connect(m_session, &SessionKeeper::putAside, this, &MainWindow::tellPutAside, Qt::QueuedConnection);

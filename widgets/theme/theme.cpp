@@ -210,4 +210,16 @@ QString Theme::styleSheet() const
     return sheet;
 }
 
+StyleWhenComplete::StyleWhenComplete() : m_sheet(qApp->styleSheet())
+{
+    if (!m_sheet.isEmpty())
+        qApp->setStyleSheet({});
+}
+
+StyleWhenComplete::~StyleWhenComplete()
+{
+    if (!m_sheet.isEmpty())
+        qApp->setStyleSheet(m_sheet);
+}
+
 } // namespace quadrille::widgets

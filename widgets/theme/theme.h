@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QPalette>
 #include <QString>
+#include <QtGlobal>
 #include <array>
 
 namespace quadrille::widgets {
@@ -123,6 +124,20 @@ private:
 
 private slots:
     void onPortalSetting(const QString& group, const QString& key);
+};
+
+/// While it lives, new widgets have no style sheet; all get it at once when it goes. Qt looks up the style of
+/// all that is in a widget each time that is put into another, which takes longer than all else about a
+/// window of many panels. To be used before the first window is shown: those that are there lose theirs, too.
+class StyleWhenComplete
+{
+public:
+    StyleWhenComplete();
+    ~StyleWhenComplete();
+    Q_DISABLE_COPY_MOVE(StyleWhenComplete)
+
+private:
+    QString m_sheet;
 };
 
 } // namespace quadrille::widgets
