@@ -10,6 +10,26 @@
 
 namespace quadrille::widgets {
 
+namespace {
+
+bool canDraw()
+{
+    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
+        QGuiApplication::platformName() == QLatin1String("minimal"))
+        return false;
+    QOpenGLContext context;
+    context.setFormat(viewFormat());
+    if (!context.create())
+        return false;
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    return surface.isValid() && context.makeCurrent(&surface) &&
+           context.format().version() >= qMakePair(3, 2);
+}
+
+} // namespace
+
 QSurfaceFormat viewFormat()
 {
     QSurfaceFormat format;
@@ -33,18 +53,8 @@ void VtkView::setDefaultFormat()
 
 bool VtkView::openGlAvailable()
 {
-    if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
-        QGuiApplication::platformName() == QLatin1String("minimal"))
-        return false;
-    QOpenGLContext context;
-    context.setFormat(viewFormat());
-    if (!context.create())
-        return false;
-    QOffscreenSurface surface;
-    surface.setFormat(context.format());
-    surface.create();
-    return surface.isValid() && context.makeCurrent(&surface) &&
-           context.format().version() >= qMakePair(3, 2);
+    static const bool isAvailable = canDraw();
+    return isAvailable;
 }
 
 } // namespace quadrille::widgets
