@@ -4,8 +4,8 @@
 
 #include "model/appearance/pcakernels.h"
 #include "model/core/badargument.h"
+#include "model/core/symmetriceigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstring>
 #include <tbb/cache_aligned_allocator.h>
@@ -233,14 +233,14 @@ LinearSpace principalComponents(const SampleSet& samples, std::int64_t component
     if (components < 0)
         refuse("There are no fewer components than none", "Ask for some.");
     const Eigen::MatrixXd gram = centredProducts(samples, progress.part(0, 0.6), executor);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-    const Eigen::VectorXd values = solver.eigenvalues().reverse();
+    const SymmetricEigen solved = symmetricEigen(gram);
+    const Eigen::VectorXd values = solved.values.reverse();
     LinearSpace space;
     constexpr double zero = 1e-10;
     for (Eigen::Index k = 0; k < values.size() && values[k] > std::max(0.0, zero * values[0]); ++k)
         space.eigenvalues.push_back(values[k] / static_cast<double>(samples.count));
     const std::int64_t count = std::min(components, static_cast<std::int64_t>(space.eigenvalues.size()));
-    const Eigen::MatrixXd vectors = solver.eigenvectors().rowwise().reverse().leftCols(count);
+    const Eigen::MatrixXd vectors = solved.vectors.rowwise().reverse().leftCols(count);
     const Eigen::VectorXd lengths = values.head(count).cwiseSqrt();
     const Eigen::MatrixXd weights = vectors * lengths.cwiseInverse().asDiagonal();
     space.mean.resize(static_cast<std::size_t>(samples.size));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/combinedtextures.h"
 
-#include <Eigen/Eigenvalues>
+#include "model/core/symmetriceigen.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,14 +16,14 @@ constexpr double vanishing = 1e-10; ///< of the largest eigenvalue: those below 
 /// Eigenvectors of products that are not zero, largest first.
 Eigen::MatrixXd leadingVectors(const Eigen::MatrixXd& products, Eigen::VectorXd* values = nullptr)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products);
-    const Eigen::VectorXd all = solver.eigenvalues().reverse();
+    const SymmetricEigen solved = symmetricEigen(products);
+    const Eigen::VectorXd all = solved.values.reverse();
     Eigen::Index count = 0;
     while (count < all.size() && all[count] > std::max(0.0, vanishing * all[0]))
         ++count;
     if (values != nullptr)
         *values = all.head(count);
-    return solver.eigenvectors().rowwise().reverse().leftCols(count);
+    return solved.vectors.rowwise().reverse().leftCols(count);
 }
 
 } // namespace

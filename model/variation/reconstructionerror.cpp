@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/reconstructionerror.h"
 
+#include "model/core/symmetriceigen.h"
 #include "model/variation/sampling.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace quadrille {
@@ -34,9 +34,9 @@ double modelError(const GpdmState& state, const Eigen::Ref<const RowMatrix>& row
 double principalError(const Eigen::Ref<const RowMatrix>& rows, int dimensions, Eigen::Index vertices)
 {
     const Eigen::MatrixXd gram = rows * rows.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    const SymmetricEigen solved = symmetricEigen(gram);
     const Eigen::Index count = std::min<Eigen::Index>(dimensions, rows.rows());
-    const Eigen::MatrixXd components = solver.eigenvectors().rightCols(count);
+    const Eigen::MatrixXd components = solved.vectors.rightCols(count);
     const RowMatrix rebuilt = components * (components.transpose() * rows);
     return meanVertexDistance(rebuilt, rows, vertices);
 }

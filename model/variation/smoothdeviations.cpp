@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/smoothdeviations.h"
 
-#include <Eigen/Eigenvalues>
+#include "model/core/symmetriceigen.h"
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -92,12 +93,12 @@ Eigen::MatrixXd curvatureOf(const HmcEnergy& energy, const Eigen::VectorXd& at, 
     }
     if (!second.allFinite())
         return Eigen::MatrixXd::Identity(size, size);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (second + second.transpose()));
-    const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
+    const SymmetricEigen solved = symmetricEigen(0.5 * (second + second.transpose()));
+    const Eigen::VectorXd sizes = solved.values.cwiseAbs();
     if (sizes.maxCoeff() <= 0)
         return Eigen::MatrixXd::Identity(size, size);
     const Eigen::VectorXd raised = sizes.cwiseMax(leastCurvature * sizes.maxCoeff());
-    return solver.eigenvectors() * raised.asDiagonal() * solver.eigenvectors().transpose();
+    return solved.vectors * raised.asDiagonal() * solved.vectors.transpose();
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/core/densekernels.h"
+#include "model/core/symmetriceigen.h"
 #include "model/variation/gpdm/gpdm.h"
 #include "model/variation/gpdm/latentkernels.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,8 @@ namespace {
 /// rounding: the pivots of a factorisation do not, and entries divided by them grow without a limit.
 DenseMatrix triangularRoot(const RowMatrix& gram)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-    const Eigen::MatrixXd root =
-        solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+    const SymmetricEigen solved = symmetricEigen(gram);
+    const Eigen::MatrixXd root = solved.vectors * solved.values.cwiseMax(0).cwiseSqrt().asDiagonal();
     const Eigen::HouseholderQR<Eigen::MatrixXd> triangular(root.transpose());
     const RowMatrix lower = Eigen::MatrixXd(triangular.matrixQR().triangularView<Eigen::Upper>()).transpose();
     return DenseMatrix(lower);

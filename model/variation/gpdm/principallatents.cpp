@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/symmetriceigen.h"
 #include "model/variation/gpdm/gpdm.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -24,15 +24,15 @@ RowMatrix gramMatrix(const Eigen::Ref<const RowMatrix>& rows, const Progress& pr
 RowMatrix principalLatents(const RowMatrix& gram, int dimensions)
 {
     const Eigen::Index frames = gram.rows();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
-    const double greatest = solver.eigenvalues()(frames - 1);
+    const SymmetricEigen solved = symmetricEigen(gram);
+    const double greatest = solved.values(frames - 1);
     RowMatrix latents = RowMatrix::Zero(frames, dimensions);
     if (!(greatest > 0))
         return latents;
     const Eigen::Index count = std::min<Eigen::Index>(dimensions, frames);
     for (Eigen::Index c = 0; c < count; ++c) {
-        const double share = std::max(solver.eigenvalues()(frames - 1 - c), 0.0) / greatest;
-        const auto vector = solver.eigenvectors().col(frames - 1 - c);
+        const double share = std::max(solved.values(frames - 1 - c), 0.0) / greatest;
+        const auto vector = solved.vectors.col(frames - 1 - c);
         Eigen::Index largest = 0;
         vector.cwiseAbs().maxCoeff(&largest);
         latents.col(c) =

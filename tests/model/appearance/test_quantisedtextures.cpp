@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/appearance/quantisedspace.h"
 #include "model/core/image.h"
+#include "model/core/symmetriceigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -50,9 +50,9 @@ LinearSpace principalSpace(Samples samples, Eigen::Index count)
     samples.rowwise() -= mean;
     space.mean.assign(mean.begin(), mean.end());
     const Eigen::MatrixXd products = (samples * samples.transpose()).cast<double>();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products);
-    const Eigen::MatrixXd vectors = solver.eigenvectors().rightCols(count).rowwise().reverse();
-    const Eigen::VectorXd lengths = solver.eigenvalues().tail(count).reverse().cwiseSqrt();
+    const SymmetricEigen solved = symmetricEigen(products);
+    const Eigen::MatrixXd vectors = solved.vectors.rightCols(count).rowwise().reverse();
+    const Eigen::VectorXd lengths = solved.values.tail(count).reverse().cwiseSqrt();
     const Samples components =
         (vectors * lengths.cwiseInverse().asDiagonal()).transpose().cast<float>() * samples;
     space.components.assign(components.data(), components.data() + components.size());
