@@ -7,6 +7,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 include(GNUInstallDirs)
+# What sources of every kind include, for quadrille_share_headers.
+set(QUADRILLE_COMMON_HEADERS
+    <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector> <Eigen/Geometry>)
 set(CMAKE_INSTALL_DOCDIR "${CMAKE_INSTALL_DATAROOTDIR}/doc/quadrille")
 
 find_program(CCACHE_PROGRAM ccache)
@@ -22,12 +25,20 @@ target_include_directories(quadrille_options INTERFACE "${CMAKE_SOURCE_DIR}")
 target_compile_options(quadrille_options INTERFACE
     -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
     -Wno-missing-field-initializers # designated initializers leave the rest at its default
-    # g++ 12 finds overlaps in joined strings where there are none (its bug 105651).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    # g++ 12 finds overlaps and, with precompiled headers, overflows in joined strings where there are none (its bug 105651).
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-array-bounds>
     # What GCC tells of a header it tells of a source that is compiled with others, too: names that another's hide, and
     # members whose types are of an unnamed namespace.
     $<IF:$<BOOL:${QUADRILLE_UNITY}>,-Wshadow=local$<SEMICOLON>-Wno-subobject-linkage,-Wshadow>
     $<$<BOOL:${QUADRILLE_WARNINGS_AS_ERRORS}>:-Werror>)
+# Where each core has memory for it, GCC throws nothing away before it has a gigabyte: an eighth of its time.
+cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+math(EXPR memory "${memory} / ${cores}") # megabytes
+if(memory GREATER_EQUAL 4096)
+    target_compile_options(quadrille_options INTERFACE
+        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576$<SEMICOLON>--param=ggc-min-expand=200>)
+endif()
 if(QUADRILLE_SANITIZE)
     # Instrumented code makes GCC see uninitialized values where there are none.
     target_compile_options(quadrille_options INTERFACE
@@ -68,20 +79,41 @@ function(quadrille_group_sources target size)
     endforeach()
 endfunction()
 
-# quadrille_share_headers(library …): takes headers that most sources of the interface read, compiled once for all of them.
-# It is for speed alone: each source includes what it uses, and clang-tidy reads it without. Not for the model and the tests:
-# g++ 12 then finds overflows of strings where there are none.
-function(quadrille_share_headers)
-    if(NOT TARGET quadrille_headers)
-        file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/headers.cpp" CONTENT "")
-        add_library(quadrille_headers OBJECT "${CMAKE_BINARY_DIR}/headers.cpp")
-        target_link_libraries(quadrille_headers PRIVATE quadrille_options Qt6::Widgets Eigen3::Eigen)
-        target_precompile_headers(quadrille_headers PRIVATE
-            <algorithm> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
-            <Eigen/Geometry> <QtWidgets>)
-        set_target_properties(quadrille_headers PROPERTIES AUTOMOC OFF)
+# quadrille_share_headers(NAME HEADERS header … LINK library … TARGETS target …): takes headers that most sources of some
+# targets read, compiled once for all of them with what the libraries ask for. It is for speed alone: each source includes
+# what it uses, and clang-tidy reads it without.
+function(quadrille_share_headers name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK;TARGETS")
+    if(NOT TARGET ${name})
+        file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${name}.cpp" CONTENT "")
+        add_library(${name} OBJECT "${CMAKE_BINARY_DIR}/${name}.cpp")
+        target_link_libraries(${name} PRIVATE quadrille_options ${arg_LINK})
+        target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
     endif()
-    foreach(library IN LISTS ARGN)
-        target_precompile_headers(${library} REUSE_FROM quadrille_headers)
+    foreach(target IN LISTS arg_TARGETS)
+        target_precompile_headers(${target} REUSE_FROM ${name})
     endforeach()
+endfunction()
+
+# quadrille_automoc(target …): has Qt's moc read the sources and headers of targets, each for itself: nothing that ours
+# include changes what moc writes, and reading Qt and VTK along takes a hundred times as long, also after each edit of a
+# header. To be called where Qt6 was found.
+function(quadrille_automoc)
+    set(script "${CMAKE_BINARY_DIR}/moc.sh")
+    if(NOT EXISTS "${script}")
+        get_target_property(moc Qt6::moc IMPORTED_LOCATION)
+        file(CONFIGURE OUTPUT "${script}" @ONLY CONTENT [[#!/bin/bash
+# moc without folders of headers.
+arguments=()
+for argument; do
+    case $argument in
+    -I*) ;;
+    *) arguments+=("$argument") ;;
+    esac
+done
+exec "@moc@" "${arguments[@]}"
+]])
+        file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE)
+    endif()
+    set_target_properties(${ARGN} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE "${script}")
 endfunction()

@@ -38,6 +38,10 @@ function(quadrille_model_test name)
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
     quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
+    quadrille_share_headers(quadrille_test_headers
+        HEADERS ${QUADRILLE_COMMON_HEADERS} <fstream> <gmock/gmock.h> <gtest/gtest.h>
+        LINK Quadrille::Model GTest::gmock
+        TARGETS ${name})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
 endfunction()
@@ -48,7 +52,7 @@ function(quadrille_qt_program name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
     find_package(Qt6 REQUIRED COMPONENTS Test Widgets)
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS} "${CMAKE_SOURCE_DIR}/tests/qt/registry.cpp")
-    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    quadrille_automoc(${name})
     if(QUADRILLE_SANITIZE)
         target_sources(${name} PRIVATE "${CMAKE_SOURCE_DIR}/tests/keeplibraries.cpp")
     endif()

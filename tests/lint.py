@@ -36,7 +36,8 @@ def flags_of(command):
             target = next(words)
         elif word in ("-c", "-include"):
             next(words)  # precompiled headers are GCC's, and each source includes what it uses
-        elif not word.startswith("-W"):  # warnings are the compiler's matter; -Werror would make clang's errors
+        # Warnings are the compiler's matter, and -Werror would make clang's errors; parameters are GCC's.
+        elif not word.startswith(("-W", "--param")):
             flags.append(word)
     return tuple(flags), target
 
