@@ -67,13 +67,15 @@ function(quadrille_qt_program name)
     quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
 endfunction()
 
+# Where no times are known yet the costly begin: tests of the interface take seconds to minutes, others less than one.
+
 # quadrille_qt_tests(PROGRAM test …): test classes of a program, each run for itself on a private X display. Their label is
 # the program's name without “test_”.
 function(quadrille_qt_tests program)
     string(REPLACE test_ "" label ${program})
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND xvfb-run -a -s "-screen 0 1600x1000x24" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT ${QUADRILLE_TEST_TIMEOUT}
+        set_tests_properties(${test} PROPERTIES LABELS ${label} TIMEOUT ${QUADRILLE_TEST_TIMEOUT} COST 10
             ENVIRONMENT_MODIFICATION "${QUADRILLE_QT_TEST_ENVIRONMENT}")
     endforeach()
 endfunction()
@@ -82,7 +84,7 @@ endfunction()
 function(quadrille_desktop_tests program)
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_DESKTOP_TEST_TIMEOUT} SKIP_RETURN_CODE 77
+        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_DESKTOP_TEST_TIMEOUT} SKIP_RETURN_CODE 77 COST 100
             ENVIRONMENT_MODIFICATION "${QUADRILLE_QT_TEST_ENVIRONMENT}")
     endforeach()
 endfunction()
