@@ -100,9 +100,8 @@ endfunction()
 # header. To be called where Qt6 was found.
 function(quadrille_automoc)
     set(script "${CMAKE_BINARY_DIR}/moc.sh")
-    if(NOT EXISTS "${script}")
-        get_target_property(moc Qt6::moc IMPORTED_LOCATION)
-        file(CONFIGURE OUTPUT "${script}" @ONLY CONTENT [[#!/bin/bash
+    get_target_property(moc Qt6::moc IMPORTED_LOCATION)
+    file(CONFIGURE OUTPUT "${script}" @ONLY CONTENT [[#!/bin/bash
 # moc without folders of headers.
 arguments=()
 for argument; do
@@ -113,7 +112,6 @@ for argument; do
 done
 exec "@moc@" "${arguments[@]}"
 ]])
-        file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE)
-    endif()
+    file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE)
     set_target_properties(${ARGN} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE "${script}")
 endfunction()
