@@ -4,6 +4,7 @@
 #include "tests/model/cli/clifixture.h"
 
 #include <fstream>
+#include <limits>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -11,6 +12,19 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
+
+namespace {
+
+/// A deviation in a report of a walk, as `quadrille data` writes it; infinite where there is none.
+double deviation(const std::string& report, const std::string& which)
+{
+    const std::string row = "\n" + which + " deviation,,0,";
+    const auto at = report.find(row);
+    return at == std::string::npos ? std::numeric_limits<double>::infinity()
+                                   : std::stod(report.substr(at + row.size()));
+}
+
+} // namespace
 
 TEST_F(Cli, SaysItsVersionAndHelps)
 {
@@ -243,7 +257,8 @@ TEST_F(Cli, TheSampleReplacesOnlyASample)
     EXPECT_EQ(run({"sample", "demo"}).status, 0) << "the same again";
 }
 
-TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheet)
+// One test, because it takes long to compute the sample as it comes.
+TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheetAndItsTourStaysWithinTenCentimetresOfItsPath)
 {
     const Outcome sample = run({"sample", "demo"});
     ASSERT_EQ(sample.status, 0) << sample.err;
@@ -253,4 +268,8 @@ TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheet)
     ASSERT_EQ(rebuilt.status, 0) << rebuilt.err;
     EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["failed"], 0);
     EXPECT_THAT(rebuilt.out, HasSubstr("contact-sheet.png"));
+
+    const Outcome tour = run({"data", "demo/sample.quadrille", "animations/along an S/report"});
+    EXPECT_LE(deviation(tour.out, "greatest"), 0.1);
+    EXPECT_LE(deviation(tour.out, "mean"), 0.05); // within its dead zone
 }
