@@ -20,6 +20,7 @@ inline VariationEntry quickVariation(const std::string& name, const std::string&
     entry.training[1].sequence = second;
     entry.cycles = false;
     entry.learning.restarts = 0;
+    entry.learning.tolerance = 1e-4;
     entry.chain = {.leapfrogSteps = 10, .burnIn = 20, .thinning = 2};
     entry.limits = {
         .poseDistance = 10, .skate = 10, .intersections = 1, .volumeChange = 10, .collapse = 1, .sink = 10};

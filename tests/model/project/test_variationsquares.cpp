@@ -60,6 +60,7 @@ protected:
         blend.across->to = "slow wild";
         sway().blends = {blend};
         sway().samples.clear();
+        sway().chain.burnIn = 5; // there is a chain around every node
     }
     void sample(double weight, double across)
     {
