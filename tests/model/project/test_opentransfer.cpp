@@ -49,7 +49,7 @@ protected:
     /// The strips become the bodies of the sample: both have two arms and two legs.
     void takeBodies()
     {
-        static const SampleCharacter sample = makeSampleCharacter({.textureSize = 128});
+        static const SampleCharacter sample = makeSampleCharacter({.textureSize = 64, .takesPerKind = 1});
         const MeshSequence& take = sample.takes.front().sequence;
         for (int f = 0; f < 2; ++f)
             folder.write("slow/f_" + std::to_string(f) + ".obj", objOf(*take.topology, poseOf(take, f)));
