@@ -24,14 +24,44 @@ namespace {
 constexpr std::array names{"walk 1", "jog 1", "left turn 1", "right turn 1"};
 constexpr int count = 4;
 
+std::shared_ptr<const Movement> makeFiveParts()
+{
+    std::vector<TrainingTake> takes;
+    for (const char* name : names)
+        takes.push_back({sampleTake(name), {}, {}});
+    const SampleBody& body = sample().body;
+    const ProposedParts proposed = proposeParts(body.topology, body.rest);
+    return std::make_shared<const Movement>(
+        makeMovement(takes, 0, cutIntoParts(*body.topology, body.rest, proposed.curves, proposed.parts), {}));
+}
+
+const std::shared_ptr<const Movement>& fiveParts()
+{
+    static const std::shared_ptr<const Movement> only = makeFiveParts();
+    return only;
+}
+
+std::vector<GpdmState> statesOfParts()
+{
+    std::vector<GpdmState> states;
+    for (GpdmLearning& learning : learnParts(*fiveParts(), {.restarts = 0}))
+        states.push_back(std::move(learning.state));
+    return states;
+}
+
+const LearnedMovement& learnedParts()
+{
+    static const LearnedMovement only(fiveParts(), statesOfParts());
+    return only;
+}
+
+/// What is drawn of it.
 class FivePartBody
 {
 public:
     FivePartBody()
-        : movement(made())
-        , character(sequences(*movement))
-        , learned(movement, learnedStates(*movement))
-        , drawn(sampleLatents(learned, {}, count, 1))
+        : character(sequences())
+        , drawn(sampleLatents(learnedParts(), {}, count, 1))
         , standing{character, findSupports(character, UpAxis::Y)}
         , contacts{character, legsOf(character, UpAxis::Y)}
     {
@@ -40,43 +70,24 @@ public:
     Clip clip(const LatentVariation& latents, std::uint64_t seed) const
     {
         return makeVariation(
-            learned, {}, latents, character.layout(),
+            learnedParts(), {}, latents, character.layout(),
             {.seed = seed, .up = UpAxis::Y, .standing = &standing, .tempo = 0.7, .contacts = &contacts});
     }
 
-    std::shared_ptr<const Movement> movement;
     CharacterFrames character;
-    LearnedMovement learned;
     LatentVariations drawn;
     CapturedStanding standing;
     VariationContacts contacts;
 
 private:
-    static std::shared_ptr<const Movement> made()
-    {
-        std::vector<TrainingTake> takes;
-        for (const char* name : names)
-            takes.push_back({sampleTake(name), {}, {}});
-        const SampleBody& body = sample().body;
-        const ProposedParts proposed = proposeParts(body.topology, body.rest);
-        return std::make_shared<const Movement>(makeMovement(
-            takes, 0, cutIntoParts(*body.topology, body.rest, proposed.curves, proposed.parts), {}));
-    }
-    static std::vector<MeshSequence> sequences(const Movement& movement)
+    static std::vector<MeshSequence> sequences()
     {
         std::vector<MeshSequence> all;
         for (std::size_t t = 0; t < names.size(); ++t) {
             all.push_back(sampleTake(names[t]));
-            all.back().contacts = movement.alignment.reports[t].contacts;
+            all.back().contacts = fiveParts()->alignment.reports[t].contacts;
         }
         return all;
-    }
-    static std::vector<GpdmState> learnedStates(const Movement& movement)
-    {
-        std::vector<GpdmState> states;
-        for (GpdmLearning& learning : learnParts(movement, {.restarts = 0}))
-            states.push_back(std::move(learning.state));
-        return states;
     }
 };
 
@@ -126,22 +137,22 @@ double stretchBeyondTakes(const Clip& clip, const std::vector<TriangleIndex>& tr
 
 TEST(FivePartBody, IsLaidByItsTorsoAndMadeOfItsParts)
 {
-    const Movement& movement = *body().movement;
-    ASSERT_EQ(movement.parts.parts.size(), 5U);
-    ASSERT_EQ(movement.training.size(), 5U);
-    EXPECT_EQ(movement.parts.parts.front().name, "torso");
-    EXPECT_FALSE(movement.training.front().blocks.empty());
-    EXPECT_TRUE(movement.alignment.cycle.has_value());
+    const Movement& moved = *fiveParts();
+    ASSERT_EQ(moved.parts.parts.size(), 5U);
+    ASSERT_EQ(moved.training.size(), 5U);
+    EXPECT_EQ(moved.parts.parts.front().name, "torso");
+    EXPECT_FALSE(moved.training.front().blocks.empty());
+    EXPECT_TRUE(moved.alignment.cycle.has_value());
     // What it is laid by is the torso alone, and lies still while limbs swing.
-    const std::vector<VertexIndex>& anchor = movement.alignment.takes.front().laidOnto->anchor;
-    EXPECT_EQ(anchor, anchorVertices(movement.parts));
+    const std::vector<VertexIndex>& anchor = moved.alignment.takes.front().laidOnto->anchor;
+    EXPECT_EQ(anchor, anchorVertices(moved.parts));
     ASSERT_FALSE(anchor.empty());
     for (std::size_t p = 1; p < 5; ++p) {
-        EXPECT_EQ(movement.parts.parts[p].parent, 0);
-        for (const VertexIndex v : movement.parts.parts[p].vertices)
+        EXPECT_EQ(moved.parts.parts[p].parent, 0);
+        for (const VertexIndex v : moved.parts.parts[p].vertices)
             EXPECT_FALSE(std::ranges::binary_search(anchor, v));
     }
-    const AlignedTake& walk = movement.take(0);
+    const AlignedTake& walk = moved.take(0);
     double swing = 0;
     for (const VertexIndex v : anchor)
         swing += static_cast<double>(
@@ -154,9 +165,9 @@ TEST(FivePartBody, IsStitchedAsItWasLearned)
     // Nothing is drawn: the learned trajectories of all parts.
     LatentVariation latents;
     for (std::size_t p = 0; p < 5; ++p)
-        latents.push_back(body().learned.trajectory(p, 0));
-    const std::vector<Vec3f> poses = variationPoses(body().learned, latents);
-    const AlignedTake& walk = body().movement->take(0);
+        latents.push_back(learnedParts().trajectory(p, 0));
+    const std::vector<Vec3f> poses = variationPoses(learnedParts(), latents);
+    const AlignedTake& walk = fiveParts()->take(0);
     const std::size_t vertices = sample().body.topology->vertexCount();
     for (std::size_t f = 0; f < walk.placements.size(); ++f)
         EXPECT_LT(meanDistance(Positions(poses).subspan(f * vertices, vertices), walk.pose(f)), 0.012) << f;
@@ -164,7 +175,7 @@ TEST(FivePartBody, IsStitchedAsItWasLearned)
 
 TEST(FivePartBody, VariesInAllPartsWithoutSeamsAndInStep)
 {
-    const Movement& movement = *body().movement;
+    const Movement& moved = *fiveParts();
     const Stances stances = findStances(body().character, UpAxis::Y);
     std::set<std::int64_t> lengths;
     std::vector<Clip> clips;
@@ -174,8 +185,8 @@ TEST(FivePartBody, VariesInAllPartsWithoutSeamsAndInStep)
         lengths.insert(clip.frameCount());
         const FollowedTake take = followedTake(clip, body().character);
         const VariationComparison comparison =
-            compared(measureMoved(clip, movement, stances, UpAxis::Y),
-                     measureMoved(take.clip, movement, stances, UpAxis::Y), take.frames, UpAxis::Y);
+            compared(measureMoved(clip, moved, stances, UpAxis::Y),
+                     measureMoved(take.clip, moved, stances, UpAxis::Y), take.frames, UpAxis::Y);
         EXPECT_LT(comparison.acceleration, 1.3) << v;
         EXPECT_LT(comparison.slide.value_or(0), 1.2) << v;
         EXPECT_LT(comparison.sink, 0.005) << v;
@@ -183,8 +194,8 @@ TEST(FivePartBody, VariesInAllPartsWithoutSeamsAndInStep)
         EXPECT_LT(comparison.closing, 0.01) << v;
         // Where parts meet nothing is torn or crushed that is not in takes.
         for (std::size_t p = 1; p < 5; ++p)
-            EXPECT_LT(stretchBeyondTakes(clip, movement.parts.parts[p].overlapTriangles), 0.25)
-                << v << " " << movement.parts.parts[p].name;
+            EXPECT_LT(stretchBeyondTakes(clip, moved.parts.parts[p].overlapTriangles), 0.25)
+                << v << " " << moved.parts.parts[p].name;
         clips.push_back(clip);
     }
     EXPECT_GT(lengths.size(), 1U);
