@@ -23,9 +23,12 @@ protected:
     }
 
     void followAnSCurveAndRunOnTheWay() const;
+    void areFoundAgainAndNoneIsWorseForMoreTime() const;
     void keepTheTimesOfKeys() const;
     void performActionsInOrder() const;
     void combineAPathWithAKeyAndAnAction() const;
+    /// A path that is run between two places, metres from its beginning.
+    WalkConstraints runningThrough(const std::vector<Vec2d>& points, double from, double to) const;
     WalkSolution find(const WalkConstraints& constraints, const SearchSettings& settings) const
     {
         const auto transition = [this](const FramePair& frames) {
@@ -42,19 +45,31 @@ protected:
     std::optional<WarpPaths> m_warps;
 };
 
-void RealWalks::followAnSCurveAndRunOnTheWay() const
+WalkConstraints RealWalks::runningThrough(const std::vector<Vec2d>& points, double from, double to) const
 {
     const Ground ground(UpAxis::Y);
     std::vector<Vec3d> through;
-    for (const Vec2d& point : {Vec2d(0, 0), Vec2d(3, 1.5), Vec2d(6, 0), Vec2d(9, -1.5), Vec2d(12, 0)})
+    for (const Vec2d& point : points)
         through.push_back(ground.at(point, 0));
-    const WalkConstraints constraints{
-        .path = PathConstraint{.points = sampleCurve(through, 0.02),
-                               .spans = {{.from = 5, .to = 8, .demanded = m_character->framesOf("run")}}}};
-    const WalkSolution solution = find(constraints, {.budget = 10'000});
+    return {.path = PathConstraint{
+                .points = sampleCurve(through, 0.02),
+                .spans = {{.from = from, .to = to, .demanded = m_character->framesOf("run")}}}};
+}
+
+void RealWalks::followAnSCurveAndRunOnTheWay() const
+{
+    const WalkSolution solution =
+        find(runningThrough({{0, 0}, {3, 1.5}, {6, 0}, {9, -1.5}, {12, 0}}, 5, 8), {.budget = 10'000});
     EXPECT_LT(solution.meanDeviation, 0.15);
     EXPECT_LT(solution.greatestDeviation, 0.3);
     EXPECT_GT(solution.frameCount, 240);
+}
+
+void RealWalks::areFoundAgainAndNoneIsWorseForMoreTime() const
+{
+    const WalkConstraints constraints = runningThrough({{0, 0}, {1.5, 0.75}, {3, 0}}, 1, 2.5);
+    const WalkSolution solution = find(constraints, {.budget = 10'000});
+    EXPECT_FALSE(solution.optimal) << "more time would change nothing";
     EXPECT_EQ(solution, find(constraints, {.budget = 10'000}));
     EXPECT_LE(find(constraints, {.budget = 30'000}).totalCost, solution.totalCost);
 }
@@ -110,6 +125,7 @@ void RealWalks::combineAPathWithAKeyAndAnAction() const
 TEST_F(RealWalks, MeetWhatAnAnimatorAsksFor)
 {
     followAnSCurveAndRunOnTheWay();
+    areFoundAgainAndNoneIsWorseForMoreTime();
     keepTheTimesOfKeys();
     performActionsInOrder();
     combineAPathWithAKeyAndAnAction();
