@@ -15,6 +15,7 @@
 #include "tests/qt/registry.h"
 
 #include <QStandardPaths>
+#include <utility>
 
 namespace quadrille {
 
@@ -23,7 +24,22 @@ class MainWindowTest : public QObject
     Q_OBJECT
 
 private:
+    static std::filesystem::path sampleFolder()
+    {
+        return toPath(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample");
+    }
+    /// Once, puts a small sample where the window makes its own: where that leads does not depend on its
+    /// size.
+    void makeSampleSmall()
+    {
+        if (std::exchange(m_isSampleSmall, true))
+            return;
+        std::filesystem::remove_all(sampleFolder());
+        writeSample(sampleFolder(), {.textureSize = 64, .takesPerKind = 1});
+    }
+
     std::unique_ptr<MainWindow> m_window;
+    bool m_isSampleSmall = false;
 
 private slots:
     void initTestCase() { test::isolate(); }
@@ -86,6 +102,7 @@ private slots:
 
     void aTileLeadsToTheTransitions()
     {
+        makeSampleSmall();
         QTest::mouseClick(test::find<WelcomeTile>("welcome.transitions"), Qt::LeftButton);
         QTRY_COMPARE(m_window->workspaces().current(), QString("graph"));
         GraphResults& graphs = m_window->context().graphs;
@@ -95,8 +112,7 @@ private slots:
     void whatIsShippedIsNotMadeAgain()
     {
         namespace fs = std::filesystem;
-        const fs::path folder =
-            toPath(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample");
+        const fs::path folder = sampleFolder();
         const auto isUpToDate = [](const fs::path& project) {
             const auto steps =
                 rebuild(loadProject(project), project, {.targets = {"graph/Quad"}, .dryRun = true}).steps;
@@ -129,6 +145,7 @@ private slots:
 
     void aTileLeadsToAPerformanceAlongAPath()
     {
+        makeSampleSmall();
         QTest::mouseClick(test::find<WelcomeTile>("welcome.path"), Qt::LeftButton);
         QTRY_COMPARE(m_window->workspaces().current(), QString("animate"));
         QCOMPARE(m_window->context().selection.shownAnimation(), QString("along an S"));

@@ -49,7 +49,8 @@ private slots:
     void initTestCase()
     {
         test::isolate();
-        const auto project = writeSample(m_folder.path().toStdString());
+        const auto project =
+            writeSample(m_folder.path().toStdString(), {.textureSize = 256, .takesPerKind = 1});
         m_window = std::make_unique<MainWindow>();
         m_window->resize(1280, 720);
         m_window->show();
