@@ -72,6 +72,7 @@ inline void writeSwayingTakes(const QString& folder)
 inline std::unique_ptr<MainWindow> openAnimated(const QString& folder)
 {
     auto window = std::make_unique<MainWindow>();
+    window->resize(1000, 700);
     window->show();
     if (!QTest::qWaitForWindowExposed(window.get()))
         return nullptr;

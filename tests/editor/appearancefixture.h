@@ -136,7 +136,7 @@ protected slots:
         writeTake("slow", 0.35);
         writeTake("quick", 0.7);
         m_window = std::make_unique<MainWindow>();
-        m_window->resize(1400, 900);
+        m_window->resize(1000, 700);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         QVERIFY(test::activate(*m_window));

@@ -35,7 +35,7 @@ struct PathFixture
         project.sequences[1].labels = {{.label = "lean", .frames = {FrameIndex(5), FrameIndex(55)}}};
         m_window = std::make_unique<MainWindow>();
         document().reset(project);
-        m_window->resize(1280, 1200);
+        m_window->resize(900, 1000);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->context().actions.action("workspace.animate")->trigger();

@@ -53,7 +53,7 @@ private slots:
     {
         m_window = test::openAnimated(m_folder.path());
         QVERIFY(m_window != nullptr);
-        m_window->resize(1400, 900);
+        m_window->resize(1000, 700);
         test::find<QDockWidget>("junctionDock")->raise();
         QVERIFY(test::activate(*m_window));
         QVERIFY(waitForResult());

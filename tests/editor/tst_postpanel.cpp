@@ -77,7 +77,7 @@ private slots:
         m_window = test::openAnimated(m_folder.path());
         QVERIFY(m_window != nullptr);
         m_panel = test::find<QWidget>("postPanel");
-        m_window->resize(1400, 1500);
+        m_window->resize(1000, 1500);
         test::find<QDockWidget>("finishDock")->raise();
         QVERIFY(test::activate(*m_window));
         QVERIFY(waitForResult());

@@ -61,7 +61,7 @@ private slots:
     {
         m_window = test::openAnimated(m_folder.path());
         QVERIFY(m_window != nullptr);
-        m_window->resize(1400, 900);
+        m_window->resize(1000, 700);
         test::find<QDockWidget>("reportDock")->raise();
         QVERIFY(test::activate(*m_window));
     }

@@ -57,7 +57,7 @@ protected slots:
         m_folder = std::make_unique<QTemporaryDir>();
         test::writeSwayingTakes(m_folder->path());
         m_window = std::make_unique<MainWindow>();
-        m_window->resize(1400, 900);
+        m_window->resize(1000, 700);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
