@@ -28,15 +28,23 @@ PathCosts::PathCosts(const PathCourse& course, const std::vector<PathSpan>& span
     std::sort(m_timed.begin(), m_timed.end(), [](const Timed& a, const Timed& b) { return a.from < b.from; });
 }
 
-std::optional<PathFailure> PathCosts::obstruction(const Vec3d& point, double walked, NodeIndex source,
-                                                  NodeIndex destination) const
+int PathCosts::missedSpan(double walked, NodeIndex source, NodeIndex destination) const
 {
     for (const Demand& demand : m_demands) {
         if (walked >= demand.from && walked <= demand.to &&
             !demand.frames[static_cast<std::size_t>(source)] &&
             !demand.frames[static_cast<std::size_t>(destination)])
-            return PathFailure{.reached = walked, .span = demand.span};
+            return demand.span;
     }
+    return -1;
+}
+
+std::optional<PathFailure> PathCosts::obstruction(const Vec3d& point, double walked, NodeIndex source,
+                                                  NodeIndex destination) const
+{
+    const int span = missedSpan(walked, source, destination);
+    if (span >= 0)
+        return PathFailure{.reached = walked, .span = span};
     const int obstacle = m_course.obstacleAt(point.head<2>());
     if (obstacle >= 0)
         return PathFailure{.reached = walked, .obstacle = obstacle};

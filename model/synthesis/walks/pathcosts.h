@@ -74,8 +74,9 @@ public:
     {
         return m_charging.perMetre > 0 ? m_charging.perMetre * way : frames;
     }
-    /// Whether there are places where frames may not be.
-    bool obstructs() const { return !m_demands.empty() || m_course.hasObstacles(); }
+    /// The span that demands frames so far along the path and that neither of two captured ones is of; −1:
+    /// none.
+    int missedSpan(double walked, NodeIndex source, NodeIndex destination) const;
     /// Why a frame that shows one or two captured ones may not be there; nothing where it may.
     std::optional<PathFailure> obstruction(const Vec3d& point, double walked, NodeIndex source,
                                            NodeIndex destination) const;

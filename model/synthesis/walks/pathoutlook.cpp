@@ -131,6 +131,13 @@ PathOutlook::Cells PathOutlook::after(const Stretch& stretch, double end, double
 
 void PathOutlook::addObstructions(const Stretch& stretch, double walked, double facing, Cells& costs) const
 {
+    const bool missesSpan = std::ranges::any_of(stretch.samples, [&](const Stretch::Sample& sample) {
+        return m_costs.missedSpan(walked + sample.walked, sample.source, sample.destination) >= 0;
+    });
+    if (missesSpan)
+        costs.setConstant(lost);
+    if (missesSpan || !m_course.hasObstacles())
+        return;
     const Vec3d origin = m_course.at(walked);
     const Eigen::Rotation2Dd outOfPath(directionAt(walked));
     for (int heading = 0; heading < headingCount; ++heading) {
@@ -139,11 +146,7 @@ void PathOutlook::addObstructions(const Stretch& stretch, double walked, double 
             const bool isObstructed =
                 std::ranges::any_of(stretch.samples, [&](const Stretch::Sample& sample) {
                     const Vec2d way = turned * Vec2d(sample.point.head<2>()) + Vec2d(0, sideOf(side));
-                    const Vec2d ground = origin.head<2>() + outOfPath * way;
-                    return m_costs
-                        .obstruction({ground.x(), ground.y(), sample.point.z()}, walked + sample.walked,
-                                     sample.source, sample.destination)
-                        .has_value();
+                    return m_course.obstacleAt(origin.head<2>() + outOfPath * way) >= 0;
                 });
             if (isObstructed)
                 costs(heading, side) = lost;
@@ -183,8 +186,7 @@ PathOutlook::Passage PathOutlook::passageOf(const Stretch& stretch, const Bend& 
             passage.costs.col(side) += factor * (off - deadZone).max(0.0F).square();
         }
     }
-    if (m_costs.obstructs())
-        addObstructions(stretch, walked, facing.first, passage.costs);
+    addObstructions(stretch, walked, facing.first, passage.costs);
     return passage;
 }
 
