@@ -81,7 +81,7 @@ endfunction()
 
 # quadrille_share_headers(NAME HEADERS header … LINK library … TARGETS target …): takes headers that most sources of some
 # targets read, compiled once for all of them with what the libraries ask for. It is for speed alone: each source includes
-# what it uses, and clang-tidy reads it without.
+# what it uses, and clang-tidy reads it without. Not for the tests, which take longer with them.
 function(quadrille_share_headers name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK;TARGETS")
     if(NOT TARGET ${name})

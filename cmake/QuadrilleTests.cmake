@@ -7,8 +7,7 @@ include(GoogleTest)
 set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder of real captures for tests")
 
 # The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
-# g++ 12 finds strings without a value in entries that they fill, where headers are precompiled.
-set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
 # The headers of GoogleTest and QtTest take longer still, so many sources are compiled at a time (see quadrille_unity).
 set(QUADRILLE_TEST_UNITY_SIZE 32)
 
@@ -39,10 +38,6 @@ function(quadrille_model_test name)
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
     quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
-    quadrille_share_headers(quadrille_test_headers
-        HEADERS ${QUADRILLE_COMMON_HEADERS} <fstream> <gmock/gmock.h> <gtest/gtest.h>
-        LINK Quadrille::Model GTest::gmock
-        TARGETS ${name})
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
 endfunction()
