@@ -95,9 +95,9 @@ function(quadrille_share_headers name)
     endforeach()
 endfunction()
 
-# quadrille_automoc(target …): has Qt's moc read the sources and headers of targets, each for itself: nothing that ours
-# include changes what moc writes, and reading Qt and VTK along takes a hundred times as long, also after each edit of a
-# header. To be called where Qt6 was found.
+# quadrille_automoc(target …): has Qt's moc read the sources and headers of targets, each for itself. Reading Qt and VTK along
+# takes nearly a hundred times as long, also after each edit of a header, and tells moc only which arguments are QObjects, to
+# register their types; Qt 6 has these from the declarations. To be called where Qt6 was found.
 function(quadrille_automoc)
     set(script "${CMAKE_BINARY_DIR}/moc.sh")
     get_target_property(moc Qt6::moc IMPORTED_LOCATION)
