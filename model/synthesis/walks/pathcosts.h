@@ -77,9 +77,6 @@ public:
     /// The span that demands frames so far along the path and that neither of two captured ones is of; −1:
     /// none.
     int missedSpan(double walked, NodeIndex source, NodeIndex destination) const;
-    /// Why a frame that shows one or two captured ones may not be there; nothing where it may.
-    std::optional<PathFailure> obstruction(const Vec3d& point, double walked, NodeIndex source,
-                                           NodeIndex destination) const;
     /// Whether timed spans are left.
     bool needsTime(const PathPlace& place) const
     {
@@ -111,6 +108,9 @@ private:
         NodeIndex source = 0;
         NodeIndex destination = 0;
     };
+    /// Why a frame that shows one or two captured ones may not be there; nothing where it may.
+    std::optional<PathFailure> obstruction(const Vec3d& point, double walked, NodeIndex source,
+                                           NodeIndex destination) const;
     bool admit(const Shown& frame, PathPlace& place, PathCharge& charge, PathFailure& failure) const;
 
     double turnOf(const MoveMotions::Motion& motion, const Eigen::Matrix2d& rotation,
