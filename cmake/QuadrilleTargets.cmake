@@ -115,3 +115,9 @@ exec "@moc@" "${arguments[@]}"
     file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE)
     set_target_properties(${ARGN} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE "${script}")
 endfunction()
+    # Sources include what moc writes of their headers; of little else there is a source that shared headers do not help.
+    foreach(target IN LISTS ARGN)
+        get_target_property(folder ${target} BINARY_DIR)
+        set_source_files_properties("${folder}/${target}_autogen/mocs_compilation.cpp" TARGET_DIRECTORY ${target}
+            PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    endforeach()

@@ -296,3 +296,5 @@ void MainWindow::dropEvent(QDropEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_mainwindow.cpp"

@@ -37,6 +37,8 @@ def flags_of(command):
             target = next(words)
         elif word in ("-c", "-include"):
             next(words)  # precompiled headers are GCC's, and each source includes what it uses
+        elif word.startswith("-I") and word.endswith("_autogen/include"):
+            flags += ["-isystem", word[2:]]  # what moc writes is not ours
         # Warnings are the compiler's matter, and -Werror would make clang's errors; parameters are GCC's.
         elif not word.startswith(("-W", "--param")):
             flags.append(word)

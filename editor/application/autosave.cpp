@@ -95,3 +95,5 @@ void Autosave::removeCopy()
 }
 
 } // namespace quadrille
+
+#include "moc_autosave.cpp"

@@ -78,3 +78,5 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_focuskeys.cpp"

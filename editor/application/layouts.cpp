@@ -138,3 +138,5 @@ void LayoutMenu::askName()
 }
 
 } // namespace quadrille
+
+#include "moc_layouts.cpp"

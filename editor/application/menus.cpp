@@ -232,3 +232,5 @@ void Menus::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_menus.cpp"

@@ -106,3 +106,5 @@ bool PanelActions::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_panelactions.cpp"

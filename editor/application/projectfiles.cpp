@@ -303,3 +303,5 @@ bool ProjectFiles::saveTo(const std::filesystem::path& file)
 }
 
 } // namespace quadrille
+
+#include "moc_projectfiles.cpp"

@@ -156,3 +156,5 @@ void ProjectStrips::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_projectstrips.cpp"

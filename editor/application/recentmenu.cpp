@@ -40,3 +40,5 @@ void RecentMenu::refill()
 }
 
 } // namespace quadrille
+
+#include "moc_recentmenu.cpp"

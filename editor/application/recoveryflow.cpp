@@ -61,3 +61,5 @@ void RecoveryFlow::recover(const Recovery& recovery)
 }
 
 } // namespace quadrille
+
+#include "moc_recoveryflow.cpp"

@@ -66,3 +66,5 @@ void RecoveryNotice::showEvent(QShowEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_recoverynotice.cpp"

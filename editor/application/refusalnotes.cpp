@@ -72,3 +72,5 @@ void RefusalNotes::showAgain()
 }
 
 } // namespace quadrille
+
+#include "moc_refusalnotes.cpp"

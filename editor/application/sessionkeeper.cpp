@@ -139,3 +139,5 @@ void SessionKeeper::showView()
 }
 
 } // namespace quadrille
+
+#include "moc_sessionkeeper.cpp"

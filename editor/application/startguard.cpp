@@ -100,3 +100,5 @@ QString settingsFolder()
 }
 
 } // namespace quadrille
+
+#include "moc_startguard.cpp"

@@ -96,3 +96,5 @@ void ActionRegistry::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_actionregistry.cpp"

@@ -189,3 +189,5 @@ void Settings::setShortcuts(const QString& action, const QList<QKeySequence>& sh
 }
 
 } // namespace quadrille
+
+#include "moc_settings.cpp"

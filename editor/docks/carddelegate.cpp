@@ -160,3 +160,5 @@ void CardDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
 }
 
 } // namespace quadrille
+
+#include "moc_carddelegate.cpp"

@@ -42,3 +42,5 @@ bool CardOrder::lessThan(const QModelIndex& left, const QModelIndex& right) cons
 }
 
 } // namespace quadrille
+
+#include "moc_cardorder.cpp"

@@ -163,3 +163,5 @@ void CardPictures::forgetOldest()
 }
 
 } // namespace quadrille
+
+#include "moc_cardpictures.cpp"

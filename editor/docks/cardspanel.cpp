@@ -273,3 +273,5 @@ void CardsPanel::addMending(QMenu& menu, const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_cardspanel.cpp"

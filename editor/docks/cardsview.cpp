@@ -74,3 +74,5 @@ void CardsView::paintEvent(QPaintEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_cardsview.cpp"

@@ -116,3 +116,5 @@ void JobsPopup::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_jobspopup.cpp"

@@ -362,3 +362,5 @@ void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
 }
 
 } // namespace quadrille
+
+#include "moc_projectpanel.cpp"

@@ -253,3 +253,5 @@ void ProjectTreeModel::follow(const ChangeEvent& event)
 }
 
 } // namespace quadrille
+
+#include "moc_projecttreemodel.cpp"

@@ -224,3 +224,5 @@ void SequenceCards::changed(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_sequencecards.cpp"

@@ -106,3 +106,5 @@ void StatusJobs::refreshCache()
 }
 
 } // namespace quadrille
+
+#include "moc_statusjobs.cpp"

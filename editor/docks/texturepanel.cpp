@@ -383,3 +383,5 @@ void TexturePanel::showNote()
 }
 
 } // namespace quadrille
+
+#include "moc_texturepanel.cpp"

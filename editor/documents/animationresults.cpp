@@ -157,3 +157,5 @@ void AnimationResults::solve(const QString& name, Item& item, const AnimationEnt
 }
 
 } // namespace quadrille
+
+#include "moc_animationresults.cpp"

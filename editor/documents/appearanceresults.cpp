@@ -175,3 +175,5 @@ void AppearanceResults::stopped(const QString& /*name*/, ResultState& state)
 }
 
 } // namespace quadrille
+
+#include "moc_appearanceresults.cpp"

@@ -16,3 +16,5 @@ void BodyProblems::set(const QString& character, const QString& problem)
 }
 
 } // namespace quadrille
+
+#include "moc_bodyproblems.cpp"

@@ -75,3 +75,5 @@ bool wasTaken(ProjectDocument& document, std::unique_ptr<ProjectCommand> command
 }
 
 } // namespace quadrille
+
+#include "moc_editcheck.cpp"

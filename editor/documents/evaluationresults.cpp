@@ -129,3 +129,5 @@ void EvaluationResults::stopped(const QString& name, ResultState& state)
 }
 
 } // namespace quadrille
+
+#include "moc_evaluationresults.cpp"

@@ -145,3 +145,5 @@ void GraphResults::stopped(const QString& character, ResultState& state)
 }
 
 } // namespace quadrille
+
+#include "moc_graphresults.cpp"

@@ -86,3 +86,5 @@ QColor LabelColors::contact(const std::string& foot)
 }
 
 } // namespace quadrille
+
+#include "moc_labelcolors.cpp"

@@ -80,3 +80,5 @@ void LiveGraphResults::compute(const QString& name, Item& item)
 }
 
 } // namespace quadrille
+
+#include "moc_livegraphresults.cpp"

@@ -133,3 +133,5 @@ void MediaWatch::take(const Stamps& now, qint64 milliseconds)
 }
 
 } // namespace quadrille
+
+#include "moc_mediawatch.cpp"

@@ -86,3 +86,5 @@ void MotionSpaceResults::compute(const QString& name, Item& item)
 }
 
 } // namespace quadrille
+
+#include "moc_motionspaceresults.cpp"

@@ -215,3 +215,5 @@ void ProjectDocument::show(Project project, std::filesystem::path file, bool rec
 }
 
 } // namespace quadrille
+
+#include "moc_projectdocument.cpp"

@@ -227,3 +227,5 @@ QString describe(const LockHolder& holder)
 }
 
 } // namespace quadrille
+
+#include "moc_projectguard.cpp"

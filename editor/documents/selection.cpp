@@ -141,3 +141,5 @@ void Selection::follow(const ChangeEvent& event)
 }
 
 } // namespace quadrille
+
+#include "moc_selection.cpp"

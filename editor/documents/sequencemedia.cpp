@@ -230,3 +230,5 @@ void SequenceMedia::shape(Item& item)
 }
 
 } // namespace quadrille
+
+#include "moc_sequencemedia.cpp"

@@ -109,3 +109,5 @@ void TransferResults::compute(const QString& name, Item& item)
 }
 
 } // namespace quadrille
+
+#include "moc_transferresults.cpp"

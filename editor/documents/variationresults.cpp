@@ -183,3 +183,5 @@ void VariationResults::stopped(const QString& name, ResultState& /*state*/)
 }
 
 } // namespace quadrille
+
+#include "moc_variationresults.cpp"

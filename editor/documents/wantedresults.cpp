@@ -153,3 +153,5 @@ void WantedResults::setJob(const QString& name, ResultState& state, Job* job)
 }
 
 } // namespace quadrille
+
+#include "moc_wantedresults.cpp"

@@ -163,3 +163,5 @@ void IssueLog::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_issuelog.cpp"

@@ -155,3 +155,5 @@ void IssuesPanel::updateState()
 }
 
 } // namespace quadrille
+
+#include "moc_issuespanel.cpp"

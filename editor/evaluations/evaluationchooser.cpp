@@ -204,3 +204,5 @@ void EvaluationChooser::add()
 }
 
 } // namespace quadrille
+
+#include "moc_evaluationchooser.cpp"

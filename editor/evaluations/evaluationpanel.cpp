@@ -259,3 +259,5 @@ void EvaluationPanel::showChart(int index)
 }
 
 } // namespace quadrille
+
+#include "moc_evaluationpanel.cpp"

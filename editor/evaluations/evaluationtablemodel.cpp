@@ -153,3 +153,5 @@ QVariant EvaluationTableModel::headerData(int section, Qt::Orientation orientati
 }
 
 } // namespace quadrille
+
+#include "moc_evaluationtablemodel.cpp"

@@ -339,3 +339,5 @@ void ExportDialog::choosePlace()
 }
 
 } // namespace quadrille
+
+#include "moc_exportdialog.cpp"

@@ -110,3 +110,5 @@ void ExportFlow::editExport(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_exportflow.cpp"

@@ -125,3 +125,5 @@ void PictureFields::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_picturefields.cpp"

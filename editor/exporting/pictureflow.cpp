@@ -80,3 +80,5 @@ void PictureFlow::save(const QString& file)
 }
 
 } // namespace quadrille
+
+#include "moc_pictureflow.cpp"

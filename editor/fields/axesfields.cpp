@@ -126,3 +126,5 @@ void AxesFields::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_axesfields.cpp"

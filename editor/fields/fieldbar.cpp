@@ -57,3 +57,5 @@ void FieldBar::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_fieldbar.cpp"

@@ -91,3 +91,5 @@ bool FieldUndo::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_fieldundo.cpp"

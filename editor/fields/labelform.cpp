@@ -89,3 +89,5 @@ void LabelForm::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_labelform.cpp"

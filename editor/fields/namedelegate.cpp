@@ -64,3 +64,5 @@ bool NameDelegate::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_namedelegate.cpp"

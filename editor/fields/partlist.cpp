@@ -59,3 +59,5 @@ void PartList::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_partlist.cpp"

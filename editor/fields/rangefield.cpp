@@ -60,3 +60,5 @@ std::optional<FrameRange> RangeField::range() const
 }
 
 } // namespace quadrille
+
+#include "moc_rangefield.cpp"

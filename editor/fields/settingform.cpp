@@ -181,3 +181,5 @@ void SettingForm::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_settingform.cpp"

@@ -52,3 +52,5 @@ void SliderField::setTexts(const QString& name, const QString& unit, const QStri
 }
 
 } // namespace quadrille
+
+#include "moc_sliderfield.cpp"

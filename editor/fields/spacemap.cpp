@@ -262,3 +262,5 @@ void SpaceMap::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille
+
+#include "moc_spacemap.cpp"

@@ -69,3 +69,5 @@ void TextureField::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_texturefield.cpp"

@@ -50,3 +50,5 @@ bool WheelFocus::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_wheelfocus.cpp"

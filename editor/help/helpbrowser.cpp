@@ -44,3 +44,5 @@ int HelpBrowser::textWidth() const
 }
 
 } // namespace quadrille
+
+#include "moc_helpbrowser.cpp"

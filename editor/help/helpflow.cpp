@@ -52,3 +52,5 @@ bool HelpFlow::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_helpflow.cpp"

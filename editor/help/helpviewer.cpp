@@ -220,3 +220,5 @@ void HelpViewer::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_helpviewer.cpp"

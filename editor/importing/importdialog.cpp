@@ -366,3 +366,5 @@ void ImportDialog::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_importdialog.cpp"

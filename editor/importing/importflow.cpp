@@ -121,3 +121,5 @@ void ImportFlow::open(const QStringList& paths)
 }
 
 } // namespace quadrille
+
+#include "moc_importflow.cpp"

@@ -181,3 +181,5 @@ void TakeTable::drawThumbnail(int take, const MeshSequence& sequence, const Coor
 }
 
 } // namespace quadrille
+
+#include "moc_taketable.cpp"

@@ -94,3 +94,5 @@ void Job::deliver()
 }
 
 } // namespace quadrille
+
+#include "moc_job.cpp"

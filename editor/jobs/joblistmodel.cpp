@@ -106,3 +106,5 @@ QString timeLeftText(Seconds left)
 }
 
 } // namespace quadrille
+
+#include "moc_joblistmodel.cpp"

@@ -81,3 +81,5 @@ void JobRunner::update()
 }
 
 } // namespace quadrille
+
+#include "moc_jobrunner.cpp"

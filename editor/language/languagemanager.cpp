@@ -102,3 +102,5 @@ void LanguageManager::load(QTranslator& translator, const QString& file)
 }
 
 } // namespace quadrille
+
+#include "moc_languagemanager.cpp"

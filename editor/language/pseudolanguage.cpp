@@ -63,3 +63,5 @@ QString PseudoTranslator::translate(const char* context, const char* source, con
 }
 
 } // namespace quadrille
+
+#include "moc_pseudolanguage.cpp"

@@ -118,3 +118,5 @@ void FramePictures::draw()
 }
 
 } // namespace quadrille
+
+#include "moc_framepictures.cpp"

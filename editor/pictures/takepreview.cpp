@@ -53,3 +53,5 @@ void TakePreview::draw(const MeshSequence& sequence, RenderOptions look)
 }
 
 } // namespace quadrille
+
+#include "moc_takepreview.cpp"

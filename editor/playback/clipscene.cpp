@@ -379,3 +379,5 @@ void ClipScene::colorFigures()
 }
 
 } // namespace quadrille
+
+#include "moc_clipscene.cpp"

@@ -180,3 +180,5 @@ void FrameLoader::deliver(const Task& task, const LoadedFrame& frame)
 }
 
 } // namespace quadrille
+
+#include "moc_frameloader.cpp"

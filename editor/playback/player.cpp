@@ -164,3 +164,5 @@ void Player::measure(FrameIndex frame)
 }
 
 } // namespace quadrille
+
+#include "moc_player.cpp"

@@ -176,3 +176,5 @@ void PoseHeatMap::apply(const Shown& shown, const Distances& distances)
 }
 
 } // namespace quadrille
+
+#include "moc_poseheatmap.cpp"

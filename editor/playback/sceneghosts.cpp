@@ -151,3 +151,5 @@ void SceneGhosts::update(const QString& clip)
 }
 
 } // namespace quadrille
+
+#include "moc_sceneghosts.cpp"

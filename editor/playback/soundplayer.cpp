@@ -67,3 +67,5 @@ void SoundPlayer::stop()
 }
 
 } // namespace quadrille
+
+#include "moc_soundplayer.cpp"

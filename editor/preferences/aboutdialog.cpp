@@ -62,3 +62,5 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent)
 }
 
 } // namespace quadrille
+
+#include "moc_aboutdialog.cpp"

@@ -122,3 +122,5 @@ void PreferencesDialog::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_preferencesdialog.cpp"

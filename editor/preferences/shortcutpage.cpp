@@ -173,3 +173,5 @@ void ShortcutPage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_shortcutpage.cpp"

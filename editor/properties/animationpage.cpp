@@ -109,3 +109,5 @@ QString AnimationPage::outcome() const
 }
 
 } // namespace quadrille
+
+#include "moc_animationpage.cpp"

@@ -76,3 +76,5 @@ void AppearancePage::show(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_appearancepage.cpp"

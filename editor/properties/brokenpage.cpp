@@ -58,3 +58,5 @@ void BrokenPage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_brokenpage.cpp"

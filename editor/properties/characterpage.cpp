@@ -108,3 +108,5 @@ void CharacterPage::showSurface()
 }
 
 } // namespace quadrille
+
+#include "moc_characterpage.cpp"

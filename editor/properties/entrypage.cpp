@@ -66,3 +66,5 @@ void EntryPage::select()
 }
 
 } // namespace quadrille
+
+#include "moc_entrypage.cpp"

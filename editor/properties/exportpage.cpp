@@ -46,3 +46,5 @@ void ExportPage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_exportpage.cpp"

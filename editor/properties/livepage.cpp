@@ -142,3 +142,5 @@ void LivePage::show(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_livepage.cpp"

@@ -390,3 +390,5 @@ void MotionSpacePage::showCurrent()
 }
 
 } // namespace quadrille
+
+#include "moc_motionspacepage.cpp"

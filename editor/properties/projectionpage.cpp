@@ -161,3 +161,5 @@ void ProjectionPage::show(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_projectionpage.cpp"

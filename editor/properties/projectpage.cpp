@@ -63,3 +63,5 @@ void ProjectPage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_projectpage.cpp"

@@ -127,3 +127,5 @@ QString PropertiesPanel::summary() const
 }
 
 } // namespace quadrille
+
+#include "moc_propertiespanel.cpp"

@@ -16,3 +16,5 @@ void PropertyForm::showName(QLineEdit& field, const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_propertyform.cpp"

@@ -188,3 +188,5 @@ void SequencePage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_sequencepage.cpp"

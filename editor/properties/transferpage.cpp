@@ -87,3 +87,5 @@ void TransferPage::show(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_transferpage.cpp"

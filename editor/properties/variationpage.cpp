@@ -54,3 +54,5 @@ void VariationPage::show(const QString& name)
 }
 
 } // namespace quadrille
+
+#include "moc_variationpage.cpp"

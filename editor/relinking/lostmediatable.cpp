@@ -162,3 +162,5 @@ bool LostMediaTable::isWanted(int medium) const
 }
 
 } // namespace quadrille
+
+#include "moc_lostmediatable.cpp"

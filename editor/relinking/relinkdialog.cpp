@@ -361,3 +361,5 @@ void RelinkDialog::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_relinkdialog.cpp"

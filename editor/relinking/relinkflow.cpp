@@ -112,3 +112,5 @@ void RelinkFlow::noteContents()
 }
 
 } // namespace quadrille
+
+#include "moc_relinkflow.cpp"

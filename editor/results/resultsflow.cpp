@@ -146,3 +146,5 @@ void ResultsFlow::ask()
 }
 
 } // namespace quadrille
+
+#include "moc_resultsflow.cpp"

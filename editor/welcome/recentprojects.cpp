@@ -215,3 +215,5 @@ void RecentProjects::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_recentprojects.cpp"

@@ -141,3 +141,5 @@ void SampleFlow::show(const QString& file, SampleGoal goal)
 }
 
 } // namespace quadrille
+
+#include "moc_sampleflow.cpp"

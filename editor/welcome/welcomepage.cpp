@@ -219,3 +219,5 @@ void WelcomePage::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_welcomepage.cpp"

@@ -160,3 +160,5 @@ void WelcomeTile::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_welcometile.cpp"

@@ -55,3 +55,5 @@ bool PanelFront::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_panelfront.cpp"

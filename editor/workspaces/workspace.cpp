@@ -15,3 +15,5 @@ void Workspace::showPanel(QWidget* content)
 }
 
 } // namespace quadrille
+
+#include "moc_workspace.cpp"

@@ -317,3 +317,5 @@ void WorkspaceTabs::setLooks(const QJsonObject& looks)
 }
 
 } // namespace quadrille
+
+#include "moc_workspacetabs.cpp"

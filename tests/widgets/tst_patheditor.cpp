@@ -243,3 +243,5 @@ void TestPathEditor::draggingNothingTurnsTheCamera()
 }
 
 QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, TestPathEditor);
+
+#include "moc_tst_patheditor.cpp"

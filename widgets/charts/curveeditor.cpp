@@ -334,3 +334,5 @@ void CurveEditor::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_curveeditor.cpp"

@@ -186,3 +186,5 @@ void ActionPalette::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_actionpalette.cpp"

@@ -260,3 +260,5 @@ void ComparedView::paintBrush(QPainter& painter) const
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_comparedview.cpp"

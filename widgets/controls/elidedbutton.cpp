@@ -24,3 +24,5 @@ void ElidedButton::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_elidedbutton.cpp"

@@ -22,3 +22,5 @@ void ElidedLabel::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_elidedlabel.cpp"

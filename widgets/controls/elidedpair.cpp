@@ -50,3 +50,5 @@ void PairDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_elidedpair.cpp"

@@ -123,3 +123,5 @@ void FieldNote::mousePressEvent(QMouseEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_fieldnote.cpp"

@@ -95,3 +95,5 @@ void InPlaceEdit::finish(bool accepts)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_inplaceedit.cpp"

@@ -100,3 +100,5 @@ void LegendBar::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_legendbar.cpp"

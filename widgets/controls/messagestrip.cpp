@@ -131,3 +131,5 @@ void MessageStrip::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_messagestrip.cpp"

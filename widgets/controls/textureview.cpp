@@ -338,3 +338,5 @@ void TextureView::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_textureview.cpp"

@@ -255,3 +255,5 @@ void WeightsPad::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_weightspad.cpp"

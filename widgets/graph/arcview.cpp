@@ -314,3 +314,5 @@ void ArcView::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_arcview.cpp"

@@ -337,3 +337,5 @@ void BarChart::paintGroup(QPainter& painter, int category) const
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_barchart.cpp"

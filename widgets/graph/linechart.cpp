@@ -320,3 +320,5 @@ void LineChart::contextMenuEvent(QContextMenuEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_linechart.cpp"

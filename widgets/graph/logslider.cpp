@@ -182,3 +182,5 @@ double LogSlider::valueOf(int step) const
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_logslider.cpp"

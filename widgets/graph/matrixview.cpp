@@ -347,3 +347,5 @@ void MatrixView::updateAccessibleText()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_matrixview.cpp"

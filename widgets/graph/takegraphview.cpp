@@ -328,3 +328,5 @@ void TakeGraphView::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_takegraphview.cpp"

@@ -329,3 +329,5 @@ void LatentView::updateScene()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_latentview.cpp"

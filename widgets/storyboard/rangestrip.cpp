@@ -241,3 +241,5 @@ void RangeStrip::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_rangestrip.cpp"

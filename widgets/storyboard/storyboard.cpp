@@ -221,3 +221,5 @@ void Storyboard::changeEvent(QEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_storyboard.cpp"

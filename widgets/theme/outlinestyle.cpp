@@ -121,3 +121,5 @@ int OutlineStyle::styleHint(StyleHint hint, const QStyleOption* option, const QW
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_outlinestyle.cpp"

@@ -223,3 +223,5 @@ StyleWhenComplete::~StyleWhenComplete()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_theme.cpp"

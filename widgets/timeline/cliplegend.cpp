@@ -79,3 +79,5 @@ void ClipLegend::updateText()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_cliplegend.cpp"

@@ -152,3 +152,5 @@ void MomentLane::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_momentlane.cpp"

@@ -188,3 +188,5 @@ void PlaybackBar::showTime()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_playbackbar.cpp"

@@ -147,3 +147,5 @@ void SoundLane::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_soundlane.cpp"

@@ -396,3 +396,5 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timeline.cpp"

@@ -78,3 +78,5 @@ void TimelineDrop::drop(QDropEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinedrop.cpp"

@@ -225,3 +225,5 @@ void TimelineGestures::doubleClick(const QPointF& position, Qt::MouseButton butt
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinegestures.cpp"

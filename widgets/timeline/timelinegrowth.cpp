@@ -51,3 +51,5 @@ void TimelineGrowth::takeBack()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinegrowth.cpp"

@@ -170,3 +170,5 @@ void TimelineKeyboard::create()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinekeyboard.cpp"

@@ -101,3 +101,5 @@ void TimelineLane::contextMenuEvent(QContextMenuEvent* event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinelane.cpp"

@@ -140,3 +140,5 @@ void TimelineZoomBar::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_timelinezoombar.cpp"

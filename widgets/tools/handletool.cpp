@@ -76,3 +76,5 @@ bool HandleTool::pressKey(const QKeyEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_handletool.cpp"

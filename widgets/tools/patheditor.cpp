@@ -379,9 +379,8 @@ bool PathEditor::removeByKey()
 
 bool PathEditor::selectNext(int step)
 {
-    const PathPart next = partAfter(layout().parts(), selected(), step);
-    setSelected(next);
-    return next.kind != Part::None;
+    setSelected(partAfter(layout().parts(), selected(), step));
+    return selected().kind != Part::None;
 }
 
 bool PathEditor::pressOther(const QKeyEvent& event)
@@ -397,3 +396,5 @@ bool PathEditor::pressOther(const QKeyEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_patheditor.cpp"

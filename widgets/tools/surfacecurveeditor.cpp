@@ -392,3 +392,5 @@ bool SurfaceCurveEditor::pressOther(const QKeyEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_surfacecurveeditor.cpp"

@@ -283,3 +283,5 @@ bool SurfacePairEditor::pressOther(const QKeyEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_surfacepaireditor.cpp"

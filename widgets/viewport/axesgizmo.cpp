@@ -167,3 +167,5 @@ void AxesGizmo::retranslate()
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_axesgizmo.cpp"

@@ -215,3 +215,5 @@ bool ViewGestures::touch(QTouchEvent& event)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_viewgestures.cpp"

@@ -324,3 +324,5 @@ float Viewport::groundHeight() const
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_viewport.cpp"

@@ -254,3 +254,5 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_viewportoverlay.cpp"

@@ -15,3 +15,5 @@ void ViewTool::setView(const Turntable& camera, const QSizeF& size)
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_viewtool.cpp"

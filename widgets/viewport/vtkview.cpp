@@ -386,3 +386,5 @@ void VtkView::Private::onInteractorEvent(vtkObject* /*caller*/, unsigned long id
 }
 
 } // namespace quadrille::widgets
+
+#include "moc_vtkview.cpp"

@@ -183,3 +183,5 @@ void ActionForm::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_actionform.cpp"

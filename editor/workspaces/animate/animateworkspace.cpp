@@ -225,3 +225,5 @@ void AnimateWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_animateworkspace.cpp"

@@ -164,3 +164,5 @@ QString AnimationBar::resultText() const
 }
 
 } // namespace quadrille
+
+#include "moc_animationbar.cpp"

@@ -243,3 +243,5 @@ void AnimationCamera::look()
 }
 
 } // namespace quadrille
+
+#include "moc_animationcamera.cpp"

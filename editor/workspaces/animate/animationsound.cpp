@@ -198,3 +198,5 @@ void AnimationSound::show()
 }
 
 } // namespace quadrille
+
+#include "moc_animationsound.cpp"

@@ -351,3 +351,5 @@ void AnimationTimeline::showMenu(const QString& track, const std::optional<SpanR
 }
 
 } // namespace quadrille
+
+#include "moc_animationtimeline.cpp"

@@ -78,3 +78,5 @@ QString CurrentAnimation::add()
 }
 
 } // namespace quadrille
+
+#include "moc_currentanimation.cpp"

@@ -68,3 +68,5 @@ void JunctionInspector::clear()
 }
 
 } // namespace quadrille
+
+#include "moc_junctioninspector.cpp"

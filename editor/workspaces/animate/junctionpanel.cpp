@@ -365,3 +365,5 @@ void JunctionPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_junctionpanel.cpp"

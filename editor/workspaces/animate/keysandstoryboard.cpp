@@ -240,3 +240,5 @@ void KeysAndStoryboard::showStatus(const QString& text)
 }
 
 } // namespace quadrille
+
+#include "moc_keysandstoryboard.cpp"

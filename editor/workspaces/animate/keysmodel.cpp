@@ -219,3 +219,5 @@ bool KeysModel::setData(const QModelIndex& index, const QVariant& value, int rol
 }
 
 } // namespace quadrille
+
+#include "moc_keysmodel.cpp"

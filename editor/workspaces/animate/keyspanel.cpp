@@ -299,3 +299,5 @@ bool KeysPanel::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_keyspanel.cpp"

@@ -92,3 +92,5 @@ void LabelList::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_labellist.cpp"

@@ -147,3 +147,5 @@ void ObstacleForm::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_pathforms.cpp"

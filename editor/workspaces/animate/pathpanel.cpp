@@ -241,3 +241,5 @@ void PathPanel::refreshSelection()
 }
 
 } // namespace quadrille
+
+#include "moc_pathpanel.cpp"

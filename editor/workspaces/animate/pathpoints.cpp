@@ -209,3 +209,5 @@ QSize PathPoints::sizeHint() const
 }
 
 } // namespace quadrille
+
+#include "moc_pathpoints.cpp"

@@ -176,3 +176,5 @@ widgets::SceneLabel PathResult::worstLabel(const AnimationResult& result) const
 }
 
 } // namespace quadrille
+
+#include "moc_pathresult.cpp"

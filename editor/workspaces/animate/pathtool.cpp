@@ -288,3 +288,5 @@ QString PathTool::spanText(const PathSpanEntry& span) const
 }
 
 } // namespace quadrille
+
+#include "moc_pathtool.cpp"

@@ -135,3 +135,5 @@ void PostPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_postpanel.cpp"

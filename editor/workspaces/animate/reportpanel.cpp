@@ -256,3 +256,5 @@ void ReportPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_reportpanel.cpp"

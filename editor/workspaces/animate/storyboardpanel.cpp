@@ -297,3 +297,5 @@ void StoryboardPanel::showMenu(int card, const QPoint& position)
 }
 
 } // namespace quadrille
+
+#include "moc_storyboardpanel.cpp"

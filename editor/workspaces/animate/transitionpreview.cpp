@@ -73,3 +73,5 @@ void TransitionPreview::end()
 }
 
 } // namespace quadrille
+
+#include "moc_transitionpreview.cpp"

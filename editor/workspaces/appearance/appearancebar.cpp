@@ -226,3 +226,5 @@ QString AppearanceBar::stateText() const
 }
 
 } // namespace quadrille
+
+#include "moc_appearancebar.cpp"

@@ -179,3 +179,5 @@ void AppearanceWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_appearanceworkspace.cpp"

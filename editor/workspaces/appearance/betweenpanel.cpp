@@ -127,3 +127,5 @@ void BetweenPanel::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_betweenpanel.cpp"

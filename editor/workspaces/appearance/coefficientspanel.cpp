@@ -213,3 +213,5 @@ void CoefficientsPanel::showValues()
 }
 
 } // namespace quadrille
+
+#include "moc_coefficientspanel.cpp"

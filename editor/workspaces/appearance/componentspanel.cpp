@@ -156,3 +156,5 @@ void ComponentsPanel::showChoice()
 }
 
 } // namespace quadrille
+
+#include "moc_componentspanel.cpp"

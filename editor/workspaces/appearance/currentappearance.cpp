@@ -166,3 +166,5 @@ QString frameText(const NamedFrame& frame)
 }
 
 } // namespace quadrille
+
+#include "moc_currentappearance.cpp"

@@ -332,3 +332,5 @@ void MaskCanvas::clear()
 }
 
 } // namespace quadrille
+
+#include "moc_maskcanvas.cpp"

@@ -266,3 +266,5 @@ QString MasksPanel::stateText() const
 }
 
 } // namespace quadrille
+
+#include "moc_maskspanel.cpp"

@@ -194,3 +194,5 @@ void QualityPanel::compute()
 }
 
 } // namespace quadrille
+
+#include "moc_qualitypanel.cpp"

@@ -390,3 +390,5 @@ void ShownTexture::fromJson(const QJsonObject& json)
 }
 
 } // namespace quadrille
+
+#include "moc_showntexture.cpp"

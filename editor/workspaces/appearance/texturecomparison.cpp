@@ -338,3 +338,5 @@ void TextureComparison::showQuality()
 }
 
 } // namespace quadrille
+
+#include "moc_texturecomparison.cpp"

@@ -185,3 +185,5 @@ void AlternativesList::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_alternativeslist.cpp"

@@ -40,3 +40,5 @@ void CostBar::paintEvent(QPaintEvent* /*event*/)
 }
 
 } // namespace quadrille
+
+#include "moc_costbar.cpp"

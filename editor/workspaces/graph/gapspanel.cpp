@@ -187,3 +187,5 @@ QString GapsPanel::proposalOf(const GraphGap& gap) const
 }
 
 } // namespace quadrille
+
+#include "moc_gapspanel.cpp"

@@ -192,3 +192,5 @@ void GraphBar::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_graphbar.cpp"

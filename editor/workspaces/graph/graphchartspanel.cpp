@@ -115,3 +115,5 @@ void GraphChartsPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_graphchartspanel.cpp"

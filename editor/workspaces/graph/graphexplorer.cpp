@@ -241,3 +241,5 @@ void GraphExplorer::askForComparison()
 }
 
 } // namespace quadrille
+
+#include "moc_graphexplorer.cpp"

@@ -382,3 +382,5 @@ void GraphMap::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_graphmap.cpp"

@@ -210,3 +210,5 @@ void GraphSettingsPanel::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_graphsettingspanel.cpp"

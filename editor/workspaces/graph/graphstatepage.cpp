@@ -156,3 +156,5 @@ void GraphStatePage::showProgress()
 }
 
 } // namespace quadrille
+
+#include "moc_graphstatepage.cpp"

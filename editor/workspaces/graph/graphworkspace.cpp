@@ -346,3 +346,5 @@ void GraphWorkspace::showReadOut()
 }
 
 } // namespace quadrille
+
+#include "moc_graphworkspace.cpp"

@@ -215,3 +215,5 @@ void PairPreview::take(std::shared_ptr<const TransitionClip> clip)
 }
 
 } // namespace quadrille
+
+#include "moc_pairpreview.cpp"

@@ -296,3 +296,5 @@ void TransitionPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_transitionpanel.cpp"

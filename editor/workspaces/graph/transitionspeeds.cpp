@@ -114,3 +114,5 @@ void TransitionSpeeds::measureNext()
 }
 
 } // namespace quadrille
+
+#include "moc_transitionspeeds.cpp"

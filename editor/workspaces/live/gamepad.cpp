@@ -124,3 +124,5 @@ void Gamepad::poll()
 }
 
 } // namespace quadrille
+
+#include "moc_gamepad.cpp"

@@ -149,3 +149,5 @@ void LiveBar::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_livebar.cpp"

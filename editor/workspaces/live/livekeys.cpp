@@ -133,3 +133,5 @@ bool LiveKeys::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_livekeys.cpp"

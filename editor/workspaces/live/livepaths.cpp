@@ -147,3 +147,5 @@ void LivePaths::showPath()
 }
 
 } // namespace quadrille
+
+#include "moc_livepaths.cpp"

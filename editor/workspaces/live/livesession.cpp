@@ -384,3 +384,5 @@ bool LiveSession::load(const LiveEntry& entry, const CoordinateSystem& axes)
 }
 
 } // namespace quadrille
+
+#include "moc_livesession.cpp"

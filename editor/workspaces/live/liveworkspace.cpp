@@ -351,3 +351,5 @@ void LiveWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_liveworkspace.cpp"

@@ -127,3 +127,5 @@ void RewindPanel::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_rewindpanel.cpp"

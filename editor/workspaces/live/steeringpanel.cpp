@@ -232,3 +232,5 @@ void SteeringPanel::showReadout()
 }
 
 } // namespace quadrille
+
+#include "moc_steeringpanel.cpp"

@@ -72,3 +72,5 @@ void ContactProposal::clear()
 }
 
 } // namespace quadrille
+
+#include "moc_contactproposal.cpp"

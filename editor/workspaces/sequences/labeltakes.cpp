@@ -192,3 +192,5 @@ void LabelTakes::accept()
 }
 
 } // namespace quadrille
+
+#include "moc_labeltakes.cpp"

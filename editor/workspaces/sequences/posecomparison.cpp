@@ -72,3 +72,5 @@ QString PoseComparison::remedy() const
 }
 
 } // namespace quadrille
+
+#include "moc_posecomparison.cpp"

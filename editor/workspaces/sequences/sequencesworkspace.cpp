@@ -189,3 +189,5 @@ void SequencesWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_sequencesworkspace.cpp"

@@ -325,3 +325,5 @@ void SequenceTimeline::showMenu(const QString& track, const std::optional<SpanRe
 }
 
 } // namespace quadrille
+
+#include "moc_sequencetimeline.cpp"

@@ -272,3 +272,5 @@ QString CurrentTransfer::regionName(BodyRegion region)
 }
 
 } // namespace quadrille
+
+#include "moc_currenttransfer.cpp"

@@ -167,3 +167,5 @@ QString PairsPanel::advice() const
 }
 
 } // namespace quadrille
+
+#include "moc_pairspanel.cpp"

@@ -213,3 +213,5 @@ void PairTool::refreshActions()
 }
 
 } // namespace quadrille
+
+#include "moc_pairtool.cpp"

@@ -168,3 +168,5 @@ QString TransferBar::stateText() const
 }
 
 } // namespace quadrille
+
+#include "moc_transferbar.cpp"

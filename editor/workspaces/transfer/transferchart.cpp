@@ -110,3 +110,5 @@ void TransferChart::showFrame()
 }
 
 } // namespace quadrille
+
+#include "moc_transferchart.cpp"

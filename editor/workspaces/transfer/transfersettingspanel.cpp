@@ -88,3 +88,5 @@ void TransferSettingsPanel::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_transfersettingspanel.cpp"

@@ -256,3 +256,5 @@ void TransferWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_transferworkspace.cpp"

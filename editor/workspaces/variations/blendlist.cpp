@@ -262,3 +262,5 @@ bool BlendList::eventFilter(QObject* watched, QEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_blendlist.cpp"

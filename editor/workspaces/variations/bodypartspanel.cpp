@@ -304,3 +304,5 @@ void BodyPartsPanel::show(const PartNotice& notice)
 }
 
 } // namespace quadrille
+
+#include "moc_bodypartspanel.cpp"

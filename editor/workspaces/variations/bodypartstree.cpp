@@ -216,3 +216,5 @@ void BodyPartsTree::keyPressEvent(QKeyEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_bodypartstree.cpp"

@@ -85,3 +85,5 @@ void BodySurface::read(const MeshSequence& sequence, FrameIndex frame)
 }
 
 } // namespace quadrille
+
+#include "moc_bodysurface.cpp"

@@ -271,3 +271,5 @@ QString CurrentVariation::add()
 }
 
 } // namespace quadrille
+
+#include "moc_currentvariation.cpp"

@@ -231,3 +231,5 @@ void LatentPanel::askForConfidence()
 }
 
 } // namespace quadrille
+
+#include "moc_latentpanel.cpp"

@@ -243,3 +243,5 @@ void LearningPanel::refreshChart()
 }
 
 } // namespace quadrille
+
+#include "moc_learningpanel.cpp"

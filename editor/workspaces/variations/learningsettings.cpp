@@ -239,3 +239,5 @@ void LearningSettings::refresh()
 }
 
 } // namespace quadrille
+
+#include "moc_learningsettings.cpp"

@@ -298,3 +298,5 @@ void MovementPanel::setTemplate(const std::optional<NamedFrame>& pose)
 }
 
 } // namespace quadrille
+
+#include "moc_movementpanel.cpp"

@@ -186,3 +186,5 @@ void PartCurveGestures::finishDrawing()
 }
 
 } // namespace quadrille
+
+#include "moc_partcurvegestures.cpp"

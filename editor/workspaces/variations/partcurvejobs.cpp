@@ -113,3 +113,5 @@ void PartCurveJobs::shorten()
 }
 
 } // namespace quadrille
+
+#include "moc_partcurvejobs.cpp"

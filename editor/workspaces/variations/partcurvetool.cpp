@@ -322,3 +322,5 @@ void PartCurveTool::takeShownPose()
 }
 
 } // namespace quadrille
+
+#include "moc_partcurvetool.cpp"

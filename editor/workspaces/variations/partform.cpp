@@ -154,3 +154,5 @@ void PartForm::showCurve(const PartCurveEntry* curve)
 }
 
 } // namespace quadrille
+
+#include "moc_partform.cpp"

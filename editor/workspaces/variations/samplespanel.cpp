@@ -299,3 +299,5 @@ void SamplesPanel::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_samplespanel.cpp"

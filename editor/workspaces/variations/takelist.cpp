@@ -45,3 +45,5 @@ void TakeList::dropEvent(QDropEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_takelist.cpp"

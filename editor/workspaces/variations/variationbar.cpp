@@ -134,3 +134,5 @@ void VariationBar::refreshState()
 }
 
 } // namespace quadrille
+
+#include "moc_variationbar.cpp"

@@ -291,3 +291,5 @@ void VariationsWorkspace::showState()
 }
 
 } // namespace quadrille
+
+#include "moc_variationsworkspace.cpp"

@@ -133,3 +133,5 @@ void WarpPanel::followPlayer()
 }
 
 } // namespace quadrille
+
+#include "moc_warppanel.cpp"

@@ -140,3 +140,5 @@ void FrameNotes::goToNeighbour(int step)
 }
 
 } // namespace quadrille
+
+#include "moc_framenotes.cpp"

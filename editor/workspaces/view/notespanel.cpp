@@ -110,3 +110,5 @@ void NotesPanel::paintEvent(QPaintEvent* event)
 }
 
 } // namespace quadrille
+
+#include "moc_notespanel.cpp"

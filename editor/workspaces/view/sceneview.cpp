@@ -319,3 +319,5 @@ void SceneView::frameCurrent()
 }
 
 } // namespace quadrille
+
+#include "moc_sceneview.cpp"

@@ -131,3 +131,5 @@ void addTimelineMenu(QMenu& menu, SceneView& view, const EditorContext& context,
 }
 
 } // namespace quadrille
+
+#include "moc_timelineactions.cpp"

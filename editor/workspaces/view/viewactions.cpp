@@ -326,3 +326,5 @@ void ViewActions::makeComparingActions()
 }
 
 } // namespace quadrille
+
+#include "moc_viewactions.cpp"

@@ -46,3 +46,5 @@ void ViewMenu::show(const QPoint& globalPosition)
 }
 
 } // namespace quadrille
+
+#include "moc_viewmenu.cpp"

@@ -83,3 +83,5 @@ void ViewTools::retranslate()
 }
 
 } // namespace quadrille
+
+#include "moc_viewtools.cpp"
