@@ -79,18 +79,21 @@ function(quadrille_group_sources target size)
     endforeach()
 endfunction()
 
-# quadrille_share_headers(NAME HEADERS header … LINK library … TARGETS target …): takes headers that most sources of some
-# targets read, compiled once for all of them with what the libraries ask for. It is for speed alone: each source includes
-# what it uses, and clang-tidy reads it without. Not for the tests, which take longer with them.
+# quadrille_share_headers(NAME HEADERS header … LINK library … OPTIONS option … TARGETS target …): takes headers that most
+# sources of some targets read, compiled once for all of them with what the libraries ask for. It is for speed alone: each
+# source includes what it uses, and clang-tidy reads it without. Not for the tests, which take longer with them.
+# The options are for the targets, too: GCC optimizes a source as the headers were, whatever is asked for the source.
 function(quadrille_share_headers name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK;TARGETS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LINK;OPTIONS;TARGETS")
     if(NOT TARGET ${name})
         file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${name}.cpp" CONTENT "")
         add_library(${name} OBJECT "${CMAKE_BINARY_DIR}/${name}.cpp")
         target_link_libraries(${name} PRIVATE quadrille_options ${arg_LINK})
+        target_compile_options(${name} PRIVATE ${arg_OPTIONS})
         target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
     endif()
     foreach(target IN LISTS arg_TARGETS)
+        target_compile_options(${target} PRIVATE ${arg_OPTIONS})
         target_precompile_headers(${target} REUSE_FROM ${name})
     endforeach()
 endfunction()
@@ -114,10 +117,10 @@ exec "@moc@" "${arguments[@]}"
 ]])
     file(CHMOD "${script}" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE)
     set_target_properties(${ARGN} PROPERTIES AUTOMOC ON AUTOMOC_EXECUTABLE "${script}")
-endfunction()
     # Sources include what moc writes of their headers; of little else there is a source that shared headers do not help.
     foreach(target IN LISTS ARGN)
         get_target_property(folder ${target} BINARY_DIR)
         set_source_files_properties("${folder}/${target}_autogen/mocs_compilation.cpp" TARGET_DIRECTORY ${target}
             PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     endforeach()
+endfunction()
