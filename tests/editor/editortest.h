@@ -4,6 +4,7 @@
 
 #include "editor/mainwindow.h"
 #include "tests/qt/patience.h"
+#include "widgets/viewport/vtkview.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -14,9 +15,11 @@
 
 namespace quadrille::test {
 
-/// Settings, sessions and samples of a test stay in folders of its own. Call before anything else.
+/// Settings, sessions and samples of a test stay in folders of its own, and views are drawn quickly rather
+/// than well. Call before anything else.
 inline void isolate()
 {
+    widgets::VtkView::setBestLevel(widgets::RenderGovernor::levels - 1);
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setOrganizationName(QStringLiteral("Quadrille"));
     QCoreApplication::setApplicationName(QStringLiteral("quadrille-test-") +

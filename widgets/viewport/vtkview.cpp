@@ -13,6 +13,7 @@
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QTimer>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 #include <vtkCommand.h>
@@ -31,6 +32,8 @@ namespace {
 
 /// A processor draws pictures that follow each other faster than this as well as there is time for.
 constexpr std::chrono::milliseconds restTime{200};
+
+int bestLevel = 0; // see VtkView::setBestLevel
 
 Qt::CursorShape cursorShape(int vtkCursor)
 {
@@ -88,6 +91,7 @@ struct VtkView::Private
     QHash<int, QTimer*> timers;
     QTimer rest; ///< runs while pictures follow each other
     RenderGovernor governor;
+    int best = bestLevel;
     RenderQuality drawn; ///< how the last picture was drawn
     std::optional<RenderQuality> held;
     bool glReady = false;
@@ -162,11 +166,16 @@ void VtkView::scheduleRender()
     update();
 }
 
+void VtkView::setBestLevel(int level)
+{
+    bestLevel = level;
+}
+
 RenderQuality VtkView::quality() const
 {
     if (d->held)
         return *d->held;
-    return d->isMoving() ? d->governor.quality() : RenderQuality();
+    return RenderGovernor::qualityOf(std::max(d->best, d->isMoving() ? d->governor.level() : 0));
 }
 
 void VtkView::setMoving(bool moving)

@@ -39,6 +39,9 @@ public:
     void setMoving(bool moving);
     /// How well pictures that follow each other are drawn now.
     RenderQuality quality() const;
+    /// The best level (see RenderGovernor) at which the views of the program draw that are made from now on;
+    /// 0 unless set. For tests, most of which look at other things than edges and shadows.
+    static void setBestLevel(int level);
     /// Draws all pictures so, whatever they take; for measuring. None: the governor chooses again.
     void holdQuality(std::optional<RenderQuality> quality);
     /// Runs VTK drawing that is not the widget's own picture (a snapshot) with the context current, and
