@@ -7,7 +7,7 @@ include(GoogleTest)
 set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder of real captures for tests")
 
 # The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
-set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-Og>)
 # The headers of GoogleTest and QtTest take longer still, so many sources are compiled at a time (see quadrille_unity).
 set(QUADRILLE_TEST_UNITY_SIZE 32)
 
@@ -33,7 +33,7 @@ endif()
 function(quadrille_model_test name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-    target_link_libraries(${name} PRIVATE Quadrille::Model GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
+    target_link_libraries(${name} PRIVATE Quadrille::Model quadrille_plain_algebra GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")

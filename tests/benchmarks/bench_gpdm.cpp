@@ -17,12 +17,12 @@ using namespace quadrille::test;
 namespace {
 
 /// Four takes of as many coordinates as a part of 530 vertices has.
-Movement movementOf(Eigen::Index frames)
+SmoothMovement movementOf(Eigen::Index frames)
 {
     return smoothMovement(4, frames / 4, 1590, 1);
 }
 
-GpdmState stateOf(const Movement& movement)
+GpdmState stateOf(const SmoothMovement& movement)
 {
     GpdmState state{principalLatents(gramMatrix(movement.rows), 3), {}};
     state.hyperparameters.alpha1 = 0.02;
@@ -33,7 +33,7 @@ GpdmState stateOf(const Movement& movement)
 /// Objective and gradient, dynamics included; the argument is frames.
 void objectiveAndGradient(benchmark::State& run)
 {
-    const Movement movement = movementOf(run.range(0));
+    const SmoothMovement movement = movementOf(run.range(0));
     const GpdmState state = stateOf(movement);
     const RowMatrix gram = gramMatrix(movement.rows);
     GpdmObjective objective(gram, movement.rows.cols(), movement.spans);
@@ -51,7 +51,7 @@ BENCHMARK(objectiveAndGradient)
 /// The same by dense matrices that form K⁻¹·Y.
 void plainObjectiveAndGradient(benchmark::State& run)
 {
-    const Movement movement = movementOf(run.range(0));
+    const SmoothMovement movement = movementOf(run.range(0));
     const GpdmState state = stateOf(movement);
     GpdmObjective::Gradient gradient;
     for (auto _ : run)
@@ -68,7 +68,7 @@ BENCHMARK(plainObjectiveAndGradient)
 void learning(benchmark::State& run)
 {
     constexpr std::array<Eigen::Index, 5> vertices{1200, 400, 400, 500, 500};
-    std::vector<Movement> parts;
+    std::vector<SmoothMovement> parts;
     for (const Eigen::Index count : vertices)
         parts.push_back(smoothMovement(5, 40, 3 * count, static_cast<std::uint64_t>(count)));
     tbb::task_arena arena(static_cast<int>(run.range(0)));

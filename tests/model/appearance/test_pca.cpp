@@ -3,12 +3,13 @@
 #include "model/appearance/pca.h"
 #include "model/core/random.h"
 #include "tests/model/codeof.h"
+#include "tests/model/plainalgebra.h"
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
 using namespace quadrille;
+using namespace quadrille::test;
 using test::codeOf;
 
 namespace {
@@ -59,17 +60,17 @@ void expectDecompositionOf(const SampleRows& rows, const LinearSpace& space)
 {
     const Eigen::MatrixXd wanted = rows.cast<double>();
     const Eigen::RowVectorXd mean = wanted.colwise().mean();
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(wanted.rowwise() - mean, Eigen::ComputeThinV);
-    const double largest = svd.singularValues()[0];
+    const SingularVectors svd = singularVectors(wanted.rowwise() - mean);
+    const double largest = svd.values[0];
     for (std::size_t k = 0; k < space.eigenvalues.size(); ++k) {
-        const double value = svd.singularValues()[static_cast<Eigen::Index>(k)];
+        const double value = svd.values[static_cast<Eigen::Index>(k)];
         // The Gram matrix squares what was rounded.
         EXPECT_NEAR(std::sqrt(space.eigenvalues[k] * static_cast<double>(rows.rows())), value,
                     1e-7 * largest);
     }
     for (Eigen::Index c = 0; c < space.count(); ++c) {
         const Eigen::VectorXd found = componentsOf(space).row(c).cast<double>();
-        EXPECT_NEAR(std::abs(found.dot(svd.matrixV().col(c))), 1, 1e-5) << c; // single precision
+        EXPECT_NEAR(std::abs(found.dot(svd.right.col(c))), 1, 1e-5) << c; // single precision
         Eigen::Index place = 0;
         found.cwiseAbs().maxCoeff(&place);
         EXPECT_GT(found[place], 0);

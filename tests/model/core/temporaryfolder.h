@@ -11,6 +11,11 @@
 
 namespace quadrille::test {
 
+inline std::string textOf(const std::filesystem::path& file)
+{
+    return std::string(readFile(file).text());
+}
+
 /// A new empty folder for one test, removed with it.
 class TemporaryFolder
 {

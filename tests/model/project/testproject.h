@@ -13,11 +13,6 @@
 
 namespace quadrille::test {
 
-inline std::string textOf(const std::filesystem::path& file)
-{
-    return std::string(readFile(file).text());
-}
-
 inline CharacterEntry characterOf(std::string name, std::string mesh)
 {
     CharacterEntry character;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/model/plainalgebra.h"
 #include "tests/model/synthesis/cliptest.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 using namespace quadrille;
@@ -83,7 +83,7 @@ TEST(BlendTiming, BalancesThePaceAgainstTheMatchOfPoses)
     }
     waves /= waves.sum();
     normal += waves.squaredNorm() * missing * missing.transpose();
-    const Eigen::VectorXd leads = normal.ldlt().solve(right);
+    const Eigen::VectorXd leads = solutionOf(normal, right);
     const std::vector<BlendTimes> times = blendTimes(transition, BlendTiming::Smooth);
     for (std::size_t t = 0; t < times.size(); ++t)
         EXPECT_NEAR(valueOf(times[t].source) - 5 - (valueOf(times[t].destination) - 47 + last),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/model/plainalgebra.h"
 #include "tests/model/transfer/transferfixture.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -68,7 +68,7 @@ TEST(HarmonicField, IsThatOfADenseSolve)
             right.row(v.value) = Eigen::RowVector4d::Map(values[m].data());
         }
     }
-    const Eigen::MatrixXd expected = matrix.partialPivLu().solve(right);
+    const Eigen::MatrixXd expected = solutionOf(matrix, right);
     for (std::uint32_t v = 0; v < bar.positions.size(); ++v) {
         const int row = target.harmonic().rowOf(target.surface().vertices()[v]);
         for (Eigen::Index c = 0; c < 4; ++c)

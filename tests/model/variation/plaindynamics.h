@@ -3,8 +3,8 @@
 #pragma once
 
 #include "latentloops.h"
+#include "tests/model/plainalgebra.h"
 
-#include <Eigen/LU>
 #include <vector>
 
 namespace quadrille::test {
@@ -57,7 +57,7 @@ struct PlainDynamics
         for (Eigen::Index i = 0; i < m; ++i)
             for (Eigen::Index j = 0; j < m; ++j)
                 own(i, j) = plainKernel(p, from.row(i), from.row(j)) + (i == j) / p.beta4;
-        const Eigen::MatrixXd inverse = K.inverse();
+        const Eigen::MatrixXd inverse = inverseOf(K);
         return {cross.transpose() * inverse * next, own - cross.transpose() * inverse * cross};
     }
 
@@ -66,8 +66,8 @@ struct PlainDynamics
         const Eigen::Index m = trajectory.rows() - 1;
         const auto [mean, covariance] = joint(trajectory.topRows(m));
         const Eigen::MatrixXd residuals = trajectory.bottomRows(m) - mean;
-        return 0.5 * static_cast<double>(trajectory.cols()) * std::log(covariance.determinant()) +
-               0.5 * (residuals.transpose() * covariance.inverse() * residuals).trace();
+        return 0.5 * static_cast<double>(trajectory.cols()) * std::log(determinantOf(covariance)) +
+               0.5 * (residuals.transpose() * inverseOf(covariance) * residuals).trace();
     }
 };
 

@@ -9,8 +9,8 @@
 
 namespace quadrille::test {
 
-Movement smoothMovement(int takes, Eigen::Index framesOfTake, Eigen::Index coordinates, std::uint64_t seed,
-                        double noise)
+SmoothMovement smoothMovement(int takes, Eigen::Index framesOfTake, Eigen::Index coordinates,
+                              std::uint64_t seed, double noise)
 {
     constexpr Eigen::Index waves = 6;
     Random random(seed);
@@ -18,7 +18,7 @@ Movement smoothMovement(int takes, Eigen::Index framesOfTake, Eigen::Index coord
         return RowMatrix(RowMatrix::NullaryExpr(rows, columns, [&random] { return random.normal(); }));
     };
     // A pose is the phase of its cycle and the style of its take, mapped by random cosines.
-    Movement movement;
+    SmoothMovement movement;
     RowMatrix hidden(takes * framesOfTake, 4);
     for (int take = 0; take < takes; ++take) {
         const RowMatrix style = normals(1, 2);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/model/plainalgebra.h"
 #include "tests/model/variation/plaingpdm.h"
 #include "tests/model/variation/smoothmovement.h"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(GpdmObjective, AgreesWithThePlainFormula)
 {
     for (const int takes : {1, 3}) {
         for (const Eigen::Index frames : {2, 5, 23}) {
-            const Movement movement = smoothMovement(takes, frames, 30, 4);
+            const SmoothMovement movement = smoothMovement(takes, frames, 30, 4);
             const GpdmState state = randomState(takes * frames, 3, 7);
             GpdmObjective objective(gramOf(movement.rows), 30, movement.spans);
             GpdmObjective::Gradient gradient;
@@ -93,7 +93,7 @@ TEST(GpdmObjective, AgreesWithThePlainFormula)
 TEST(GpdmObjective, GradientIsThatOfFiniteDifferences)
 {
     for (const int dimensions : {1, 3, 4}) {
-        const Movement movement = smoothMovement(2, 11, 40, 5);
+        const SmoothMovement movement = smoothMovement(2, 11, 40, 5);
         GpdmState state = randomState(22, dimensions, 11);
         GpdmObjective objective(gramOf(movement.rows), 40, movement.spans);
         GpdmObjective::Gradient gradient;
@@ -120,13 +120,12 @@ TEST(GpdmObjective, GradientIsThatOfFiniteDifferences)
 
 TEST(GpdmObjective, TurningTheLatentSpaceChangesNothing)
 {
-    const Movement movement = smoothMovement(2, 15, 30, 6);
+    const SmoothMovement movement = smoothMovement(2, 15, 30, 6);
     GpdmState state = randomState(30, 3, 3);
     GpdmObjective objective(gramOf(movement.rows), 30, movement.spans);
     GpdmObjective::Gradient gradient;
     const double value = objective.value(state, gradient);
-    const Eigen::HouseholderQR<Eigen::Matrix3d> random(Eigen::Matrix3d(randomState(3, 3, 9).latents));
-    const Eigen::Matrix3d turn = random.householderQ();
+    const Eigen::Matrix3d turn = singularVectors(randomState(3, 3, 9).latents).left;
     state.latents = state.latents * turn;
     GpdmObjective::Gradient turned;
     expectClose(objective.value(state, turned), value, 1e-12);
@@ -135,7 +134,7 @@ TEST(GpdmObjective, TurningTheLatentSpaceChangesNothing)
 
 TEST(GpdmObjective, TheOrderOfSequencesChangesNothing)
 {
-    const Movement movement = smoothMovement(2, 9, 30, 6);
+    const SmoothMovement movement = smoothMovement(2, 9, 30, 6);
     const GpdmState state = randomState(18, 3, 3);
     GpdmState other = state;
     other.latents << state.latents.bottomRows(9), state.latents.topRows(9);
@@ -180,7 +179,7 @@ TEST(GpdmObjective, SingularKernelsAreFactorisedAndReported)
 TEST(GpdmObjective, FewerCoordinatesThanFramesAndConstantOnes)
 {
     // The Gram matrix has rank 2 at most.
-    Movement movement = smoothMovement(2, 10, 3, 8);
+    SmoothMovement movement = smoothMovement(2, 10, 3, 8);
     movement.rows.col(1).setZero();
     const GpdmState state = randomState(20, 3, 3);
     GpdmObjective objective(gramOf(movement.rows), 3, movement.spans);
@@ -196,7 +195,7 @@ TEST(GpdmObjective, IsExactWhereTheGramMatrixIsSingular)
     // Movements of six waves without noise, as poses that are laid onto each other nearly are: all but six of
     // the eigenvalues are rounding. A model that is as sure of poses as learned ones shows each error.
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        Movement movement = smoothMovement(3, 40, 60, seed, 0);
+        SmoothMovement movement = smoothMovement(3, 40, 60, seed, 0);
         movement.rows = movement.rows.cast<float>().cast<double>();
         GpdmState state = randomState(movement.rows.rows(), 3, seed);
         state.latents *= 0.3;

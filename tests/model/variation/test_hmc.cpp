@@ -3,8 +3,8 @@
 #include "latentloops.h"
 #include "model/variation/gpdm/hmc.h"
 #include "tests/model/codeof.h"
+#include "tests/model/plainalgebra.h"
 
-#include <Eigen/Cholesky>
 #include <limits>
 #include <numbers>
 
@@ -41,7 +41,7 @@ Gaussian correlatedGaussian(Eigen::Index dimensions)
             target.covariance(i, j) =
                 size(i) * size(j) * std::pow(0.95, std::abs(static_cast<double>(i - j)));
         }
-    target.precision = target.covariance.llt().solve(Eigen::MatrixXd::Identity(dimensions, dimensions));
+    target.precision = inverseOf(target.covariance);
     return target;
 }
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/variation/gpdm/gpdmvariables.h"
 #include "tests/model/codeof.h"
+#include "tests/model/plainalgebra.h"
 #include "tests/model/variation/plaingpdm.h"
 #include "tests/model/variation/smoothmovement.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -19,18 +18,18 @@ using namespace quadrille::test;
 namespace {
 
 /// Root of the mean squared coordinate of what the mean prediction at the latents leaves.
-double predictionError(const Movement& movement, const GpdmState& state)
+double predictionError(const SmoothMovement& movement, const GpdmState& state)
 {
     RowMatrix kernel = plainPoseKernel(state.latents, state.hyperparameters);
-    const RowMatrix weights = kernel.llt().solve(movement.rows);
+    const RowMatrix weights = solutionOf(kernel, movement.rows);
     kernel.diagonal().array() -= 1 / state.hyperparameters.alpha3;
     return std::sqrt((kernel * weights - movement.rows).squaredNorm() /
                      static_cast<double>(movement.rows.size()));
 }
 
-double principalError(const Movement& movement, int dimensions)
+double principalError(const SmoothMovement& movement, int dimensions)
 {
-    const Eigen::VectorXd values = Eigen::BDCSVD<Eigen::MatrixXd>(movement.rows).singularValues();
+    const Eigen::VectorXd values = singularVectors(movement.rows).values;
     return std::sqrt(values.tail(values.size() - dimensions).squaredNorm() /
                      static_cast<double>(movement.rows.size()));
 }
@@ -63,12 +62,12 @@ void expectSensible(const GpdmLearning& learning)
 
 TEST(PrincipalLatents, AreTheScoresOfUnitVariance)
 {
-    const Movement movement = smoothMovement(2, 20, 30, 1);
+    const SmoothMovement movement = smoothMovement(2, 20, 30, 1);
     const RowMatrix latents = principalLatents(gramMatrix(movement.rows), 3);
-    const Eigen::BDCSVD<Eigen::MatrixXd> svd(movement.rows, Eigen::ComputeThinU);
-    const double scale = std::sqrt(40.0) / svd.singularValues()(0);
+    const SingularVectors svd = singularVectors(movement.rows);
+    const double scale = std::sqrt(40.0) / svd.values[0];
     for (int c = 0; c < 3; ++c) {
-        const Eigen::VectorXd scores = scale * svd.singularValues()(c) * svd.matrixU().col(c);
+        const Eigen::VectorXd scores = scale * svd.values[c] * svd.left.col(c);
         EXPECT_NEAR(std::abs(latents.col(c).dot(scores)), scores.squaredNorm(), 1e-9);
         EXPECT_EQ(latents.col(c).maxCoeff(), latents.col(c).cwiseAbs().maxCoeff());
     }
@@ -80,7 +79,7 @@ TEST(PrincipalLatents, AreTheScoresOfUnitVariance)
 
 TEST(GpdmVariables, GoBackAndForthAndPassDerivativesOn)
 {
-    const Movement movement = smoothMovement(2, 6, 20, 2);
+    const SmoothMovement movement = smoothMovement(2, 6, 20, 2);
     const GpdmState state = randomState(12, 2, 5);
     for (const double smoothness : {0.0, 3.0}) {
         const GpdmVariables variables(movement.spans, 2, smoothness);
@@ -136,7 +135,7 @@ TEST(GpdmVariables, HyperparametersNearBoundsAreNamed)
 
 TEST(GpdmLearning, FindsWhatPrincipalComponentsCannot)
 {
-    const Movement movement = smoothMovement(3, 30, 120, 3);
+    const SmoothMovement movement = smoothMovement(3, 30, 120, 3);
     const GpdmLearning learning = learnGpdm(movement.rows, movement.spans, {});
     EXPECT_EQ(learning.stop, GpdmStop::Converged);
     EXPECT_EQ(learning.jitter, 0);
@@ -156,7 +155,7 @@ TEST(GpdmLearning, FindsWhatPrincipalComponentsCannot)
 
 TEST(GpdmLearning, PerturbedStartsAgreeWithinTwoPercent)
 {
-    const Movement movement = smoothMovement(3, 30, 120, 4);
+    const SmoothMovement movement = smoothMovement(3, 30, 120, 4);
     std::vector<double> finals;
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
         const GpdmLearning learning = learnGpdm(movement.rows, movement.spans, {.restarts = 1, .seed = seed});
@@ -174,7 +173,7 @@ TEST(GpdmLearning, PerturbedStartsAgreeWithinTwoPercent)
 
 TEST(GpdmLearning, TheSameSeedGivesTheSameModel)
 {
-    const Movement movement = smoothMovement(2, 15, 40, 5);
+    const SmoothMovement movement = smoothMovement(2, 15, 40, 5);
     const GpdmSettings settings{.restarts = 1, .seed = 9};
     const GpdmLearning first = learnGpdm(movement.rows, movement.spans, settings);
     const GpdmLearning second = learnGpdm(movement.rows, movement.spans, settings);
@@ -187,7 +186,7 @@ TEST(GpdmLearning, TheSameSeedGivesTheSameModel)
 
 TEST(GpdmLearning, IsWatchedAtEachIteration)
 {
-    const Movement movement = smoothMovement(2, 15, 40, 5);
+    const SmoothMovement movement = smoothMovement(2, 15, 40, 5);
     std::vector<double> told;
     GpdmState last;
     double fraction = 0;
@@ -206,7 +205,7 @@ TEST(GpdmLearning, IsWatchedAtEachIteration)
 
 TEST(GpdmLearning, CancelledKeepsTheBestSoFar)
 {
-    const Movement movement = smoothMovement(2, 15, 40, 5);
+    const SmoothMovement movement = smoothMovement(2, 15, 40, 5);
     CancelToken token;
     std::vector<double> told;
     const GpdmLearning learning = learnGpdm(movement.rows, movement.spans, {}, Progress(token),
@@ -228,7 +227,7 @@ TEST(GpdmLearning, CancelledKeepsTheBestSoFar)
 
 TEST(GpdmLearning, TellsThatTheLimitStoppedIt)
 {
-    const Movement movement = smoothMovement(2, 15, 40, 5);
+    const SmoothMovement movement = smoothMovement(2, 15, 40, 5);
     const GpdmLearning learning =
         learnGpdm(movement.rows, movement.spans, {.restarts = 0, .greatestIterations = 30});
     EXPECT_EQ(learning.stop, GpdmStop::IterationLimit);
@@ -237,14 +236,14 @@ TEST(GpdmLearning, TellsThatTheLimitStoppedIt)
 
 TEST(GpdmLearning, ThrowsOnWhatTheWatchThrows)
 {
-    const Movement movement = smoothMovement(1, 15, 40, 5);
+    const SmoothMovement movement = smoothMovement(1, 15, 40, 5);
     const GpdmWatch watch = [](int, double, const GpdmState&) { throw std::runtime_error("enough"); };
     EXPECT_THROW(learnGpdm(movement.rows, movement.spans, {}, {}, watch), std::runtime_error);
 }
 
 TEST(GpdmLearning, RefusesWhatCannotBeLearned)
 {
-    const Movement movement = smoothMovement(2, 5, 6, 1);
+    const SmoothMovement movement = smoothMovement(2, 5, 6, 1);
     const auto learn = [](const RowMatrix& rows, std::vector<RowSpan> spans, GpdmSettings settings = {}) {
         return codeOf([&] { learnGpdm(rows, spans, settings); });
     };
@@ -263,37 +262,37 @@ TEST(GpdmLearning, RefusesWhatCannotBeLearned)
 TEST(GpdmLearning, DegenerateMovementsGiveSensibleModels)
 {
     // Three frames; a take of three among longer ones; fewer coordinates than frames; a constant coordinate.
-    const Movement few = smoothMovement(1, 4, 30, 1);
+    const SmoothMovement few = smoothMovement(1, 4, 30, 1);
     expectSensible(learnGpdm(few.rows, few.spans, {}));
-    const Movement three = smoothMovement(1, 3, 30, 1);
+    const SmoothMovement three = smoothMovement(1, 3, 30, 1);
     expectSensible(learnGpdm(three.rows, three.spans, {.dimensions = 2}));
-    const Movement mixed = smoothMovement(1, 20, 30, 2);
+    const SmoothMovement mixed = smoothMovement(1, 20, 30, 2);
     const std::vector<RowSpan> spans{{0, 3}, {3, 17}};
     expectSensible(learnGpdm(mixed.rows, spans, {}));
-    Movement narrow = smoothMovement(2, 20, 6, 3);
+    SmoothMovement narrow = smoothMovement(2, 20, 6, 3);
     expectSensible(learnGpdm(narrow.rows, narrow.spans, {}));
     narrow.rows.col(2).setZero();
     expectSensible(learnGpdm(narrow.rows, narrow.spans, {}));
-    Movement one = smoothMovement(2, 20, 1, 3);
+    SmoothMovement one = smoothMovement(2, 20, 1, 3);
     expectSensible(learnGpdm(one.rows, one.spans, {}));
 }
 
 TEST(GpdmLearning, IdenticalFramesGiveAModelThatStandsStill)
 {
-    const Movement movement = smoothMovement(2, 10, 12, 6);
+    const SmoothMovement movement = smoothMovement(2, 10, 12, 6);
     const RowMatrix still = RowMatrix::Zero(20, 12);
     const GpdmLearning learning = learnGpdm(still, movement.spans, {});
     expectSensible(learning);
     EXPECT_LT(predictionError({still, movement.spans}, learning.state), 1e-12);
     // Two takes that are the same.
-    Movement twice = movement;
+    SmoothMovement twice = movement;
     twice.rows.bottomRows(10) = twice.rows.topRows(10);
     expectSensible(learnGpdm(twice.rows, twice.spans, {}));
 }
 
 TEST(GpdmLearning, TakesAThousandFrames)
 {
-    const Movement movement = smoothMovement(10, 100, 60, 7);
+    const SmoothMovement movement = smoothMovement(10, 100, 60, 7);
     const GpdmLearning learning =
         learnGpdm(movement.rows, movement.spans, {.restarts = 0, .greatestIterations = 3});
     EXPECT_EQ(learning.stop, GpdmStop::IterationLimit);

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "latentloops.h"
 #include "model/variation/sampling.h"
+#include "tests/model/plainalgebra.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 using namespace quadrille;
@@ -54,8 +53,9 @@ struct PlainReconstruction
         };
         const Eigen::MatrixXd K = kernel(X, X) + Eigen::MatrixXd::Identity(X.rows(), X.rows()) / p.alpha3;
         const Eigen::MatrixXd cross = kernel(X, trajectory);
-        means = cross.transpose() * K.inverse() * taught.rows;
-        covariance = kernel(trajectory, trajectory) - cross.transpose() * K.inverse() * cross;
+        const Eigen::MatrixXd inverse = inverseOf(K);
+        means = cross.transpose() * inverse * taught.rows;
+        covariance = kernel(trajectory, trajectory) - cross.transpose() * inverse * cross;
     }
 };
 
@@ -144,9 +144,8 @@ TEST(PoseReconstruction, drawsInTheTrainingSpanHaveThatVarianceInAllAndStayInThe
             means;
         found += from * from.transpose() / (60.0 * draws);
         if (i == 0) {
-            const RowMatrix weights = (taught.rows * taught.rows.transpose())
-                                          .completeOrthogonalDecomposition()
-                                          .solve(taught.rows * from.transpose());
+            const RowMatrix weights =
+                leastSquares(taught.rows * taught.rows.transpose(), taught.rows * from.transpose());
             EXPECT_LT((taught.rows.transpose() * weights - from.transpose()).norm(), 1e-4 * from.norm());
         }
     }

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 using namespace quadrille;
+using namespace quadrille::test;
 using ::testing::HasSubstr;
 
 namespace {
@@ -37,11 +38,6 @@ std::vector<double> numbersOf(std::string_view list)
         at = error == std::errc() ? next : at + 1;
     }
     return numbers;
-}
-
-std::string textOf(const std::filesystem::path& path)
-{
-    return std::string(readFile(path).text());
 }
 
 } // namespace
