@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Quadrille developers
 # SPDX-License-Identifier: MIT
 find_package(GTest REQUIRED)
-include(GoogleTest)
 
 # Where tests find the real captures; tests that need them say "skipped" when the folder is not there.
 set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder of real captures for tests")
@@ -11,14 +10,15 @@ set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-Og>)
 # The headers of GoogleTest and QtTest take longer still, so many sources are compiled at a time (see quadrille_unity).
 set(QUADRILLE_TEST_UNITY_SIZE 32)
 
+# Where the test SampleRebuild leaves the rebuilt sample.
+set(QUADRILLE_REBUILT_SAMPLE "${CMAKE_BINARY_DIR}/tests/rebuiltsample")
+
 # Seconds after which a test is taken to hang. Under a sanitizer all takes many times as long.
-set(QUADRILLE_TEST_TIMEOUT 300)
-set(QUADRILLE_DESKTOP_TEST_TIMEOUT 900)
+set(QUADRILLE_TEST_TIMEOUT 900)
 # Milliseconds for one function; Qt gives up after five minutes otherwise.
 set(function_timeout 1200000)
 if(QUADRILLE_SANITIZE)
     set(QUADRILLE_TEST_TIMEOUT 7200)
-    set(QUADRILLE_DESKTOP_TEST_TIMEOUT 7200)
     set(function_timeout 3000000)
 endif()
 list(APPEND QUADRILLE_QT_TEST_ENVIRONMENT QTEST_FUNCTION_TIMEOUT=set:${function_timeout})
@@ -29,17 +29,23 @@ if(QUADRILLE_SANITIZE STREQUAL "thread")
         TSAN_OPTIONS=path_list_append:detect_deadlocks=0:die_after_fork=0)
 endif()
 
-# quadrille_model_test(NAME source.cpp … [LIBRARIES target …]): one GoogleTest program, each of its tests known to ctest.
+# quadrille_model_test(NAME source.cpp … [LIBRARIES target …] [APART suite …]): one GoogleTest program, each of its suites
+# known to ctest, but for those whose tests the caller adds.
 function(quadrille_model_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;APART")
     add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
     target_link_libraries(${name} PRIVATE Quadrille::Model quadrille_plain_algebra GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
     quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
-    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS model TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
+    set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
+    file(GENERATE OUTPUT "${suites}" CONTENT "set(QUADRILLE_PROGRAM [[$<TARGET_FILE:${name}>]])
+set(QUADRILLE_TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
+set(QUADRILLE_APART ${arg_APART})
+include([[${CMAKE_SOURCE_DIR}/cmake/QuadrilleSuites.cmake]])
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${suites}")
 endfunction()
 
 # quadrille_qt_program(NAME source.cpp … [LIBRARIES target …]): one program for all QtTest classes of a folder; its first
@@ -80,7 +86,7 @@ endfunction()
 function(quadrille_desktop_tests program)
     foreach(test IN LISTS ARGN)
         add_test(NAME ${test} COMMAND "${CMAKE_SOURCE_DIR}/tests/desktop/run.sh" $<TARGET_FILE:${program}> ${test})
-        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_DESKTOP_TEST_TIMEOUT} SKIP_RETURN_CODE 77 COST 100
+        set_tests_properties(${test} PROPERTIES TIMEOUT ${QUADRILLE_TEST_TIMEOUT} SKIP_RETURN_CODE 77 COST 100
             ENVIRONMENT_MODIFICATION "${QUADRILLE_QT_TEST_ENVIRONMENT}")
     endforeach()
 endfunction()

@@ -25,6 +25,7 @@
 
 #include <QDockWidget>
 #include <QImage>
+#include <filesystem>
 #include <memory>
 
 namespace quadrille {
@@ -95,7 +96,18 @@ private:
         m_window->animate().viewport().frameAll();
     }
 
+    /// The sample with its results where another test left it, or else without.
+    std::filesystem::path sampleProject() const
+    {
+        const std::filesystem::path sample = m_folder.filePath("sample").toStdString();
+        if (m_rebuilt.isEmpty())
+            return writeSample(sample);
+        std::filesystem::copy(m_rebuilt.toStdString(), sample, std::filesystem::copy_options::recursive);
+        return sample / "sample.quadrille";
+    }
+
     QTemporaryDir m_folder;
+    QString m_rebuilt = qEnvironmentVariable("QUADRILLE_REBUILT_SAMPLE");
     std::unique_ptr<MainWindow> m_window;
 
 private slots:
@@ -104,7 +116,7 @@ private slots:
         test::isolate();
         widgets::Theme::instance().install();
         widgets::Theme::instance().setMode(widgets::Theme::Mode::Light);
-        const auto project = writeSample(m_folder.filePath("sample").toStdString());
+        const std::filesystem::path project = sampleProject();
         m_window = std::make_unique<MainWindow>();
         m_window->resize(windowSize);
         m_window->show();
@@ -174,8 +186,10 @@ private slots:
     {
         m_window->workspaces().select("variations");
         context().selection.select({Section::Variations, "walking"});
-        QVERIFY(test::waitForState(context(), "walking", test::isNotLearned));
-        context().actions.action("variations.learn")->trigger();
+        if (m_rebuilt.isEmpty()) {
+            QVERIFY(test::waitForState(context(), "walking", test::isNotLearned));
+            context().actions.action("variations.learn")->trigger();
+        }
         QVERIFY(test::waitForVariations(context(), "walking"));
         Workspace::showPanel(test::find<QWidget>("samplesPanel"));
         VariationsWorkspace& workspace = m_window->variations();

@@ -4,7 +4,6 @@
 #include "tests/model/cli/clifixture.h"
 
 #include <fstream>
-#include <limits>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -12,19 +11,6 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-namespace {
-
-/// A deviation in a report of a walk, as `quadrille data` writes it; infinite where there is none.
-double deviation(const std::string& report, const std::string& which)
-{
-    const std::string row = "\n" + which + " deviation,,0,";
-    const auto at = report.find(row);
-    return at == std::string::npos ? std::numeric_limits<double>::infinity()
-                                   : std::stod(report.substr(at + row.size()));
-}
-
-} // namespace
 
 TEST_F(Cli, SaysItsVersionAndHelps)
 {
@@ -255,21 +241,4 @@ TEST_F(Cli, TheSampleReplacesOnlyASample)
     EXPECT_EQ(std::distance(fs::directory_iterator(project.parent_path()), {}), 1);
     EXPECT_EQ(run({"sample", "--overwrite", "demo"}).status, 0);
     EXPECT_EQ(run({"sample", "demo"}).status, 0) << "the same again";
-}
-
-// One test, because it takes long to compute the sample as it comes.
-TEST_F(Cli, TheSampleRebuildsWithItsExportsAndASheetAndItsTourStaysWithinTenCentimetresOfItsPath)
-{
-    const Outcome sample = run({"sample", "demo"});
-    ASSERT_EQ(sample.status, 0) << sample.err;
-    EXPECT_THAT(sample.out, HasSubstr("demo/sample.quadrille"));
-    EXPECT_EQ(run({"check", "demo/sample.quadrille"}).status, 0);
-    const Outcome rebuilt = run({"rebuild", "demo/sample.quadrille", "--json", "report.json"});
-    ASSERT_EQ(rebuilt.status, 0) << rebuilt.err;
-    EXPECT_EQ(Json::parse(textOf(folder / "report.json"))["failed"], 0);
-    EXPECT_THAT(rebuilt.out, HasSubstr("contact-sheet.png"));
-
-    const Outcome tour = run({"data", "demo/sample.quadrille", "animations/along an S/report"});
-    EXPECT_LE(deviation(tour.out, "greatest"), 0.1);
-    EXPECT_LE(deviation(tour.out, "mean"), 0.05); // within its dead zone
 }

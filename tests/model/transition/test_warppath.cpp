@@ -224,7 +224,7 @@ TEST(WarpPaths, OfLinearTransitionsAreDiagonals)
     }
 }
 
-TEST(BestTransitions, AreMinimaThatLieApart)
+TEST(WarpPathTransitions, AreMinimaThatLieApart)
 {
     const Table<float> distances = walkingDistances(160, 3);
     const FrameLayout layout(std::vector<std::int64_t>{80, 80});
@@ -250,7 +250,7 @@ TEST(BestTransitions, AreMinimaThatLieApart)
     }
 }
 
-TEST(BestTransitions, AreFoundByHand)
+TEST(WarpPathTransitions, AreFoundByHand)
 {
     Table<float> costs = Table<float>::Constant(10, 10, 9);
     const auto table = [&costs] {
@@ -278,7 +278,7 @@ TEST(BestTransitions, AreFoundByHand)
     EXPECT_THROW(bestTransitions(table(), layout, request), Error);
 }
 
-TEST(BestTransitions, AreNoneWhereNothingFits)
+TEST(WarpPathTransitions, AreNoneWhereNothingFits)
 {
     const FrameLayout layout(std::vector<std::int64_t>{12, 4});
     const TransitionTable table = transitionTable(randomDistances(16, 1), layout, windows(5, 8));
