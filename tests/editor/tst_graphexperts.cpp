@@ -24,6 +24,7 @@
 #include <QHeaderView>
 #include <QMenu>
 #include <QPushButton>
+#include <QSemaphore>
 #include <QSplitter>
 #include <QTimer>
 #include <QToolButton>
@@ -62,7 +63,8 @@ private slots:
             QCOMPARE(matrix().blocks().back().name, takes.back());
             QCOMPARE(text("graphReadOut"), QString("The graph is being opened…"));
         });
-        // What opening tells on its way is only taken where the loop does not sleep.
+        // What opening tells on its way is only seen where the loop has nothing else to do before all is
+        // open: the opening waits behind other jobs until the window has taken the project in.
         for (int attempt = 0; attempt < 10 && shown == 0; ++attempt) {
             QEventLoop loop;
             connect(&explorer(), &GraphExplorer::characterChanged, &loop, [&] {
@@ -70,7 +72,14 @@ private slots:
                     loop.quit();
             });
             QTimer::singleShot(10000, &loop, &QEventLoop::quit);
+            QSemaphore gate;
+            constexpr int mostThreads = 8;
+            for (int i = 0; i < mostThreads; ++i)
+                context().jobs.start(
+                    {.background = true}, [&gate](const Progress&) { gate.acquire(); }, [] {});
             context().document.reset(project);
+            QTest::qWait(100);
+            gate.release(mostThreads);
             loop.exec();
         }
         disconnect(watching);
