@@ -51,8 +51,13 @@ bool Job::update()
 {
     if (isOver())
         return false;
-    if (m_task->over.load(std::memory_order_acquire))
-        return true;
+    if (m_task->over.load(std::memory_order_acquire)) {
+        // All that the work posted is queued by now; the end comes after it, with the next update.
+        if (std::exchange(m_task->isEndAwaited, true))
+            return true;
+        m_runner.wake();
+        return false;
+    }
     if (m_task->token.isCancelled()) {
         setState(State::Cancelling);
         return false;

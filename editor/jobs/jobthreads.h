@@ -28,6 +28,7 @@ struct JobTask
     std::atomic<double> fraction{0};
     std::atomic<bool> started{false};
     std::atomic<bool> over{false};
+    bool isEndAwaited = false; ///< it is known to be over; of the interface thread
     std::shared_ptr<void> result;
     std::optional<Error> error;
 };

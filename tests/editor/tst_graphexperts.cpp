@@ -24,7 +24,6 @@
 #include <QHeaderView>
 #include <QMenu>
 #include <QPushButton>
-#include <QSemaphore>
 #include <QSplitter>
 #include <QTimer>
 #include <QToolButton>
@@ -63,25 +62,13 @@ private slots:
             QCOMPARE(matrix().blocks().back().name, takes.back());
             QCOMPARE(text("graphReadOut"), QString("The graph is being opened…"));
         });
-        // What opening tells on its way is only seen where the loop has nothing else to do before all is
-        // open: the opening waits behind other jobs until the window has taken the project in.
-        for (int attempt = 0; attempt < 10 && shown == 0; ++attempt) {
-            QEventLoop loop;
-            connect(&explorer(), &GraphExplorer::characterChanged, &loop, [&] {
-                if (explorer().character() != nullptr)
-                    loop.quit();
-            });
-            QTimer::singleShot(10000, &loop, &QEventLoop::quit);
-            QSemaphore gate;
-            constexpr int mostThreads = 8;
-            for (int i = 0; i < mostThreads; ++i)
-                context().jobs.start(
-                    {.background = true}, [&gate](const Progress&) { gate.acquire(); }, [] {});
-            context().document.reset(project);
-            QTest::qWait(100);
-            gate.release(mostThreads);
-            loop.exec();
-        }
+        QEventLoop loop;
+        connect(&explorer(), &GraphExplorer::characterChanged, &loop, [&] {
+            if (explorer().character() != nullptr)
+                loop.quit();
+        });
+        context().document.reset(project);
+        loop.exec();
         disconnect(watching);
         QVERIFY(shown > 0);
         QVERIFY(matrix().isEnabled());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "editor/jobs/joblistmodel.h"
 #include "editor/jobs/jobrunner.h"
+#include "editor/jobs/mailbox.h"
 #include "tests/qt/registry.h"
 
 #include <QAbstractItemModelTester>
@@ -47,6 +48,7 @@ class JobRunnerTest : public QObject
 private slots:
     void resultArrivesOnTheInterfaceThread();
     void workRunsOnAnotherThread();
+    void whatTheWorkPostsComesBeforeItsEnd();
     void errorIsDeliveredAsData();
     void errorWithoutHandlerIsSignalled();
     void foreignExceptionBecomesAnError();
@@ -84,6 +86,28 @@ void JobRunnerTest::resultArrivesOnTheInterfaceThread()
     QCOMPARE(where, QThread::currentThread());
     QTRY_VERIFY(job.isNull());
     QVERIFY(runner.jobs().empty());
+}
+
+// Even where all is over before the interface looks at what the work told first.
+void JobRunnerTest::whatTheWorkPostsComesBeforeItsEnd()
+{
+    JobRunner runner;
+    const Mailbox mailbox(this);
+    QStringList told;
+    std::atomic<bool> hasPosted = false;
+    runner.start(
+        {},
+        [&](const Progress& progress) {
+            progress.report(0.5);
+            mailbox.address().post([&told] { told += "posted"; });
+            hasPosted = true;
+        },
+        [&told] { told += "end"; });
+    while (!hasPosted)
+        std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    QTRY_COMPARE(told.size(), 2);
+    QCOMPARE(told, QStringList({"posted", "end"}));
 }
 
 void JobRunnerTest::workRunsOnAnotherThread()
