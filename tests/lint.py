@@ -4,10 +4,10 @@
 """lint.py BUILD_DIR [--quick] [FILE…]: clang-tidy over the sources of model, player, widgets, editor and resources.
 
 The sources of a folder are read together where the build may join them (see quadrille_unity): most of the time goes
-into headers. What these declare is not searched where the build made the module ownsources, which takes a quarter of the
-time. What passed is not read again until one of its sources, a header of ours that they include, its compiler flags or
+into headers. What these declare is not searched where the build made the module ownsources, which takes less than a third
+of the time. What passed is not read again until one of its sources, a header of ours that they include, its compiler flags or
 .clang-tidy change; it is kept in BUILD_DIR/lint.
---quick leaves clang's static analyser out, which takes a third of the time.
+--quick leaves clang's static analyser out.
 Jobs: QUADRILLE_JOBS, or all cores.
 """
 import concurrent.futures

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A module of clang-tidy: its check quadrille-own-sources finds nothing, but keeps the other checks from
 // searching what system headers declare (Qt, VTK, Eigen, the standard library), of which they would report
-// nothing. With it a source takes a quarter of the time (see lint.py).
+// nothing. With it a source takes less than a third of the time (see lint.py).
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
 #include <clang-tidy/ClangTidyModuleRegistry.h>

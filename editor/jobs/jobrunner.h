@@ -32,6 +32,7 @@ public:
     ~JobRunner() override;
 
     /// \param work `Result work(const Progress&)`, on a thread of its own; must report at least every 50 ms.
+    /// What it posts to the interface thread (see Mailbox) is taken before its end.
     /// \param done `void done(Result)`, or `void done()` where work returns nothing; on the interface thread.
     /// \return the job, which the runner owns.
     template <typename Work, typename Done>
