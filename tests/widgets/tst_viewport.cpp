@@ -20,7 +20,9 @@ private slots:
     void drawsATexturedFigureInItsColour();
     void drawsANewFrameAndANewTexture();
     void pickingFindsTheTriangleUnderThePointer();
+    void goesOnDrawingAfterUndocking_data();
     void goesOnDrawingAfterUndocking();
+    void aProcessorsPictureIsShownAsACards();
     void measuresBetweenTwoClicks();
     void canBeDeletedWithItsFigures();
     void namesInOnePlaceAreAboveEachOther();
@@ -33,7 +35,19 @@ private slots:
     void pinnedGhostsTellTheirFrame();
     void theGovernorFollowsWhatPicturesTake();
     void theGovernorDoesNotGoBackAndForth();
+
+private:
+    /// Makes the view anew, shown as pictures of a processor or of a graphics card are.
+    void drawBy(bool processor);
 };
+
+void TestViewport::drawBy(bool processor)
+{
+    cleanup();
+    VtkView::setDrawnByProcessor(processor);
+    init();
+    VtkView::setDrawnByProcessor({});
+}
 
 void TestViewport::drawsATexturedFigureInItsColour()
 {
@@ -71,8 +85,17 @@ void TestViewport::pickingFindsTheTriangleUnderThePointer()
     QVERIFY(!m_viewport->pick({2, 2}));
 }
 
+void TestViewport::goesOnDrawingAfterUndocking_data()
+{
+    QTest::addColumn<bool>("processor");
+    QTest::newRow("graphics card") << false;
+    QTest::newRow("processor") << true;
+}
+
 void TestViewport::goesOnDrawingAfterUndocking()
 {
+    QFETCH(bool, processor);
+    drawBy(processor);
     addSquare(Qt::red);
     QMainWindow window;
     auto* dock = new QDockWidget;
@@ -86,11 +109,45 @@ void TestViewport::goesOnDrawingAfterUndocking()
     for (const bool floating : {true, false, true}) {
         dock->setFloating(floating);
         QTest::qWait(150);
-        const QImage image = viewport->snapshot();
-        QVERIFY(!image.isNull());
-        const QColor color = image.pixelColor(image.rect().center());
-        QVERIFY2(color.red() > 2 * color.green(), qPrintable(color.name()));
+        for (const QImage& image : {viewport->snapshot(), viewport->grab().toImage()}) {
+            QVERIFY(!image.isNull());
+            const QColor color = image.pixelColor(image.rect().center());
+            QVERIFY2(color.red() > 2 * color.green(), qPrintable(color.name()));
+        }
     }
+}
+
+void TestViewport::aProcessorsPictureIsShownAsACards()
+{
+    QImage images[2];
+    for (const bool processor : {false, true}) {
+        drawBy(processor);
+        addSquare(Qt::red);
+        Turntable camera = m_viewport->camera();
+        camera.target += QVector3D(0.4F, 0.7F, 0); // the square lies off the middle
+        camera.yaw = 25;
+        m_viewport->setCamera(camera);
+        QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
+        QTest::qWait(50);
+        images[processor ? 1 : 0] = m_viewport->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
+    QVERIFY(images[0].size() == images[1].size() && !images[0].isNull());
+    const auto isRed = [](const QColor& color) { return color.red() > 2 * color.green(); };
+    int red = 0;
+    int different = 0;
+    for (int y = 0; y < images[0].height(); ++y) {
+        for (int x = 0; x < images[0].width(); ++x) {
+            const QColor one = images[0].pixelColor(x, y);
+            const QColor other = images[1].pixelColor(x, y);
+            red += isRed(one) ? 1 : 0;
+            const int apart =
+                std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()),
+                          std::abs(one.blue() - other.blue())});
+            different += apart > 2 ? 1 : 0;
+        }
+    }
+    QVERIFY(red > 500);
+    QVERIFY2(different == 0, qPrintable(QString::number(different)));
 }
 
 void TestViewport::measuresBetweenTwoClicks()

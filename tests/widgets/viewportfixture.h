@@ -40,7 +40,7 @@ inline QImage filled(const QColor& color)
 class ViewportFixture : public QObject
 {
     Q_OBJECT
-private slots:
+protected slots:
     void init();
     void cleanup();
 

@@ -2,30 +2,41 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/vtkformat.h"
 
+#include "widgets/viewport/vtkcanvas.h"
 #include "widgets/viewport/vtkview.h"
 
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 
 namespace quadrille::widgets {
 
 namespace {
 
-bool canDraw()
+/// What OpenGL's implementation calls itself, in small letters; empty where it is not good enough.
+QByteArray findRenderer()
 {
     if (QGuiApplication::platformName() == QLatin1String("offscreen") ||
         QGuiApplication::platformName() == QLatin1String("minimal"))
-        return false;
+        return {};
     QOpenGLContext context;
     context.setFormat(viewFormat());
     if (!context.create())
-        return false;
+        return {};
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
-    return surface.isValid() && context.makeCurrent(&surface) &&
-           context.format().version() >= qMakePair(3, 2);
+    if (!surface.isValid() || !context.makeCurrent(&surface) || context.format().version() < qMakePair(3, 2))
+        return {};
+    const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+    return name != nullptr ? QByteArray(name).toLower() : "unknown";
+}
+
+const QByteArray& renderer()
+{
+    static const QByteArray found = findRenderer();
+    return found;
 }
 
 } // namespace
@@ -53,8 +64,13 @@ void VtkView::setDefaultFormat()
 
 bool VtkView::openGlAvailable()
 {
-    static const bool isAvailable = canDraw();
-    return isAvailable;
+    return !renderer().isEmpty();
+}
+
+bool isDrawnByProcessor()
+{
+    const QByteArray& name = renderer();
+    return name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast");
 }
 
 } // namespace quadrille::widgets

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/vtkview.h"
 
+#include "widgets/viewport/vtkcanvas.h"
 #include "widgets/viewport/vtkevents.h"
-#include "widgets/viewport/vtkformat.h"
 
 #include <QElapsedTimer>
 #include <QHash>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QPointer>
 #include <QScopedValueRollback>
 #include <QScreen>
 #include <QTimer>
@@ -20,7 +18,6 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkNew.h>
-#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -33,7 +30,8 @@ namespace {
 /// A processor draws pictures that follow each other faster than this as well as there is time for.
 constexpr std::chrono::milliseconds restTime{200};
 
-int bestLevel = 0; // see VtkView::setBestLevel
+int bestLevel = 0;                    // see VtkView::setBestLevel
+std::optional<bool> drawnByProcessor; // see VtkView::setDrawnByProcessor
 
 Qt::CursorShape cursorShape(int vtkCursor)
 {
@@ -73,9 +71,14 @@ vtkSmartPointer<vtkGenericRenderWindowInteractor> makeInteractor()
 
 } // namespace
 
-struct VtkView::Private
+struct VtkView::Private : VtkPicture
 {
     explicit Private(VtkView* owner) : view(owner), events(interactor) {}
+
+    void begin(QOpenGLContext* made, QSurface* on) override;
+    void end() override;
+    void paint(const std::function<void(bool isNew)>& show) override;
+    vtkGenericOpenGLRenderWindow* window() const override { return renderWindow; }
 
     void onWindowEvent(vtkObject* caller, unsigned long id, void* data);
     void onInteractorEvent(vtkObject* caller, unsigned long id, void* data);
@@ -83,10 +86,10 @@ struct VtkView::Private
     bool isMoving() const { return software && (moving || rest.isActive()); }
 
     VtkView* view;
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;
     vtkSmartPointer<vtkGenericRenderWindowInteractor> interactor = makeInteractor();
     VtkEvents events;
-    QPointer<QOpenGLContext> boundContext;
+    QOpenGLContext* context = nullptr;
     QSurface* surface = nullptr;
     QHash<int, QTimer*> timers;
     QTimer rest; ///< runs while pictures follow each other
@@ -97,21 +100,22 @@ struct VtkView::Private
     bool glReady = false;
     bool painting = false;
     bool renderNeeded = true;
-    bool moving = false;   ///< something plays
-    bool software = false; ///< a processor draws in place of a graphics card
+    bool unshown = true; ///< VTK drew what was not shown yet
+    bool moving = false; ///< something plays
+    bool software = drawnByProcessor.value_or(isDrawnByProcessor());
+    std::unique_ptr<VtkCanvas> canvas;
 };
 
-VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Private>(this))
+VtkView::VtkView(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>(this))
 {
-    setFormat(viewFormat());
+    d->canvas = makeCanvas(d->software, *d, this);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);
-    setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
 
-    d->window->SetOwnContext(0);
-    d->window->SetReadyForRendering(false);
-    d->window->SetMultiSamples(d->drawn.samples);
+    d->renderWindow->SetOwnContext(0);
+    d->renderWindow->SetReadyForRendering(false);
+    d->renderWindow->SetMultiSamples(d->drawn.samples);
     d->rest.setSingleShot(true);
     d->rest.setInterval(restTime);
     connect(&d->rest, &QTimer::timeout, this, [this] {
@@ -119,15 +123,15 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Pr
             return;
         d->governor.rested();
         d->renderNeeded = true;
-        update();
+        d->canvas->widget()->update();
     });
-    d->window->SetFrameBlitModeToNoBlit();
+    d->renderWindow->SetFrameBlitModeToNoBlit();
     for (const unsigned long id :
          {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent, vtkCommand::WindowFrameEvent,
           vtkCommand::CursorChangedEvent, vtkCommand::WindowSupportsOpenGLEvent})
-        d->window->AddObserver(id, d.get(), &Private::onWindowEvent);
+        d->renderWindow->AddObserver(id, d.get(), &Private::onWindowEvent);
 
-    d->interactor->SetRenderWindow(d->window);
+    d->interactor->SetRenderWindow(d->renderWindow);
     d->interactor->EnableRenderOff(); // the interactor's Render() only schedules a paint
     for (const unsigned long id :
          {vtkCommand::RenderEvent, vtkCommand::CreateTimerEvent, vtkCommand::DestroyTimerEvent})
@@ -137,20 +141,18 @@ VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Pr
 
 VtkView::~VtkView()
 {
-    releaseGl();
-    // ~QOpenGLWidget destroys the context after this part of the object is gone.
-    if (d->boundContext)
-        d->boundContext->disconnect(this);
-    d->window->RemoveAllObservers();
+    d->end();
+    d->renderWindow->RemoveAllObservers();
     d->interactor->RemoveAllObservers();
     d->interactor->SetInteractorStyle(nullptr);
     d->interactor->SetRenderWindow(nullptr);
-    d->window->SetInteractor(nullptr);
+    d->renderWindow->SetInteractor(nullptr);
+    d->canvas.reset();
 }
 
 vtkRenderWindow* VtkView::renderWindow() const
 {
-    return d->window;
+    return d->renderWindow;
 }
 
 vtkRenderWindowInteractor* VtkView::interactor() const
@@ -163,12 +165,17 @@ void VtkView::scheduleRender()
     if (d->software)
         d->rest.start();
     d->renderNeeded = true;
-    update();
+    d->canvas->widget()->update();
 }
 
 void VtkView::setBestLevel(int level)
 {
     bestLevel = level;
+}
+
+void VtkView::setDrawnByProcessor(std::optional<bool> byProcessor)
+{
+    drawnByProcessor = byProcessor;
 }
 
 RenderQuality VtkView::quality() const
@@ -196,8 +203,8 @@ void VtkView::applyQuality(const RenderQuality& quality)
     if (quality == d->drawn)
         return;
     d->drawn = quality;
-    d->window->SetMultiSamples(quality.samples);
-    auto* renderers = d->window->GetRenderers();
+    d->renderWindow->SetMultiSamples(quality.samples);
+    auto* renderers = d->renderWindow->GetRenderers();
     renderers->InitTraversal();
     while (vtkRenderer* renderer = renderers->GetNextItem())
         renderer->SetUseFXAA(quality.smoothsEdges);
@@ -208,54 +215,20 @@ bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
 {
     if (!d->glReady)
         return false;
-    makeCurrent();
+    d->canvas->makeCurrent();
     {
         const QScopedValueRollback<bool> guard(d->painting, true);
-        auto* state = d->window->GetState();
+        auto* state = d->renderWindow->GetState();
         state->Reset();
         state->Push();
         state->vtkglDepthFunc(GL_LEQUAL);
         applyQuality(RenderQuality());
-        draw(d->window);
+        draw(d->renderWindow);
         state->Pop();
     }
-    doneCurrent();
+    d->canvas->doneCurrent();
     scheduleRender();
     return true;
-}
-
-void VtkView::releaseGl()
-{
-    if (!d->glReady)
-        return;
-    d->glReady = false;
-    makeCurrent();
-    d->window->Finalize();
-    d->window->SetReadyForRendering(false);
-    doneCurrent();
-}
-
-// Runs again whenever Qt gives the widget a new context (reparenting to another window, undocking).
-void VtkView::initializeGL()
-{
-    if (d->boundContext != context()) {
-        d->boundContext = context();
-        connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &VtkView::releaseGl,
-                Qt::DirectConnection);
-    }
-    d->surface = context()->surface();
-    d->glReady = true;
-    const auto* renderer = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
-    const QByteArray name = renderer != nullptr ? QByteArray(renderer).toLower() : QByteArray();
-    d->software = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast");
-    d->window->SetForceMaximumHardwareLineWidth(1);
-    d->window->SetReadyForRendering(true);
-    d->window->SetOwnContext(0);
-    d->window->OpenGLInitContext();
-    auto* state = d->window->GetState();
-    state->Reset();
-    state->vtkglDepthFunc(GL_LEQUAL); // Qt leaves GL_LESS
-    d->renderNeeded = true;
 }
 
 void VtkView::syncSize()
@@ -263,66 +236,25 @@ void VtkView::syncSize()
     const double ratio = devicePixelRatioF();
     const int w = qMax(1, qRound(width() * ratio));
     const int h = qMax(1, qRound(height() * ratio));
-    const int* size = d->window->GetSize();
+    const int* size = d->renderWindow->GetSize();
     if (size[0] != w || size[1] != h) {
         d->interactor->UpdateSize(w, h);
         d->renderNeeded = true;
     }
     constexpr double pointsPerInch = 72.0;
     const int dotsPerInch = qRound(pointsPerInch * ratio);
-    if (d->window->GetDPI() != dotsPerInch) {
-        d->window->SetDPI(dotsPerInch);
+    if (d->renderWindow->GetDPI() != dotsPerInch) {
+        d->renderWindow->SetDPI(dotsPerInch);
         d->renderNeeded = true;
     }
     const QSize screenSize = screen()->size() * ratio;
-    d->window->SetScreenSize(screenSize.width(), screenSize.height());
+    d->renderWindow->SetScreenSize(screenSize.width(), screenSize.height());
 }
 
-void VtkView::paintGL()
+void VtkView::resizeEvent(QResizeEvent* event)
 {
-    if (!d->glReady || d->painting)
-        return;
-    const QScopedValueRollback<bool> guard(d->painting, true);
-    syncSize();
-    auto* state = d->window->GetState();
-    state->Reset();
-    state->Push();
-    state->vtkglDepthFunc(GL_LEQUAL);
-    QElapsedTimer timer;
-    timer.start();
-    const bool isNew = std::exchange(d->renderNeeded, false);
-    if (isNew) {
-        applyQuality(quality());
-        d->window->Render();
-    }
-    makeCurrent(); // an observer of VTK's may have changed it
-    auto* gl = context()->extraFunctions();
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    const GLenum buffer = GL_COLOR_ATTACHMENT0;
-    gl->glDrawBuffers(1, &buffer);
-    state->vtkglDisable(GL_SCISSOR_TEST);
-    gl->glDisable(GL_SCISSOR_TEST);
-    if (auto* framebuffer = d->window->GetRenderFramebuffer()) {
-        const int* rendered = framebuffer->GetLastSize();
-        const int* size = d->window->GetSize();
-        d->window->BlitDisplayFramebuffer(0, 0, 0, rendered[0], rendered[1], 0, 0, size[0], size[1],
-                                          GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    }
-    // Opaque, or a compositor may show what lies behind.
-    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gl->glClearColor(0, 0, 0, 1);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    state->Pop();
-    if (!isNew)
-        return;
-    // A processor draws when the picture is waited for: only then is it known what it took.
-    if (d->software)
-        gl->glFinish();
-    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    if (d->isMoving())
-        d->governor.drawn(milliseconds);
-    emit rendered(milliseconds);
+    d->canvas->widget()->setGeometry(rect());
+    QWidget::resizeEvent(event);
 }
 
 bool VtkView::event(QEvent* event)
@@ -331,7 +263,62 @@ bool VtkView::event(QEvent* event)
         event->accept();
         return true;
     }
-    return QOpenGLWidget::event(event);
+    return QWidget::event(event);
+}
+
+void VtkView::Private::begin(QOpenGLContext* made, QSurface* on)
+{
+    context = made;
+    surface = on;
+    glReady = true;
+    renderWindow->SetForceMaximumHardwareLineWidth(1);
+    renderWindow->SetReadyForRendering(true);
+    renderWindow->SetOwnContext(0);
+    renderWindow->OpenGLInitContext();
+    auto* state = renderWindow->GetState();
+    state->Reset();
+    state->vtkglDepthFunc(GL_LEQUAL); // Qt leaves GL_LESS
+    renderNeeded = true;
+}
+
+void VtkView::Private::end()
+{
+    if (!glReady)
+        return;
+    glReady = false;
+    canvas->makeCurrent();
+    renderWindow->Finalize();
+    renderWindow->SetReadyForRendering(false);
+    canvas->doneCurrent();
+}
+
+void VtkView::Private::paint(const std::function<void(bool isNew)>& show)
+{
+    if (!glReady || painting)
+        return;
+    const QScopedValueRollback<bool> guard(painting, true);
+    view->syncSize();
+    auto* state = renderWindow->GetState();
+    state->Reset();
+    state->Push();
+    state->vtkglDepthFunc(GL_LEQUAL);
+    QElapsedTimer timer;
+    timer.start();
+    const bool isNew = std::exchange(renderNeeded, false);
+    if (isNew) {
+        view->applyQuality(view->quality());
+        renderWindow->Render();
+        unshown = true;
+    }
+    canvas->makeCurrent(); // an observer of VTK's may have changed it
+    show(std::exchange(unshown, false));
+    state->Pop();
+    if (!isNew)
+        return;
+    const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    if (isMoving())
+        governor.drawn(milliseconds);
+    emit view->rendered(milliseconds);
 }
 
 void VtkView::Private::onWindowEvent(vtkObject* /*caller*/, unsigned long id, void* data)
@@ -340,21 +327,21 @@ void VtkView::Private::onWindowEvent(vtkObject* /*caller*/, unsigned long id, vo
     case vtkCommand::WindowMakeCurrentEvent:
         // Not QOpenGLWidget::makeCurrent(): it would bind Qt's framebuffer in the middle of VTK's drawing,
         // behind the back of VTK's state cache.
-        if (glReady && QOpenGLContext::currentContext() != view->context())
-            view->context()->makeCurrent(surface);
+        if (glReady && QOpenGLContext::currentContext() != context)
+            context->makeCurrent(surface);
         break;
     case vtkCommand::WindowIsCurrentEvent:
-        *static_cast<bool*>(data) =
-            view->context() != nullptr && QOpenGLContext::currentContext() == view->context();
+        *static_cast<bool*>(data) = glReady && QOpenGLContext::currentContext() == context;
         break;
     case vtkCommand::WindowSupportsOpenGLEvent:
         *static_cast<int*>(data) = 1;
         break;
     case vtkCommand::WindowFrameEvent:
         // Someone called Render() outside paintGL: the picture is ready, show it.
-        if (!painting && window->GetSwapBuffers()) {
+        if (!painting && renderWindow->GetSwapBuffers()) {
             renderNeeded = false;
-            view->update();
+            unshown = true;
+            canvas->widget()->update();
         }
         break;
     case vtkCommand::CursorChangedEvent:

@@ -4,7 +4,7 @@
 
 #include "widgets/viewport/rendergovernor.h"
 
-#include <QOpenGLWidget>
+#include <QWidget>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,10 +14,10 @@ class vtkRenderWindowInteractor;
 
 namespace quadrille::widgets {
 
-/// Shows a VTK render window. VTK draws into its own framebuffer inside this widget's OpenGL context;
-/// painting copies the result. The context may be replaced (undocking): VTK's objects are then rebuilt.
-/// \pre openGlAvailable()
-class VtkView : public QOpenGLWidget
+/// Shows a VTK render window. VTK draws into its own framebuffer inside the OpenGL context of a canvas (see
+/// vtkcanvas.h) that fills the view; painting copies the result. The context may be replaced (undocking):
+/// VTK's objects are then rebuilt. \pre openGlAvailable()
+class VtkView : public QWidget
 {
     Q_OBJECT
 public:
@@ -42,6 +42,9 @@ public:
     /// The best level (see RenderGovernor) at which the views of the program draw that are made from now on;
     /// 0 unless set. For tests, most of which look at other things than edges and shadows.
     static void setBestLevel(int level);
+    /// Whether views that are made from now on show their pictures as those of a processor. None, as at
+    /// first: if a processor draws. For tests.
+    static void setDrawnByProcessor(std::optional<bool> byProcessor);
     /// Draws all pictures so, whatever they take; for measuring. None: the governor chooses again.
     void holdQuality(std::optional<RenderQuality> quality);
     /// Runs VTK drawing that is not the widget's own picture (a snapshot) with the context current, and
@@ -55,8 +58,7 @@ signals:
     void qualityChanged(const quadrille::widgets::RenderQuality& quality);
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -64,7 +66,6 @@ private:
     std::unique_ptr<Private> d;
     void syncSize();
     void applyQuality(const RenderQuality& quality);
-    void releaseGl();
 };
 
 } // namespace quadrille::widgets
