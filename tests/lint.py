@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 """lint.py BUILD_DIR [--quick] [FILE…]: clang-tidy over the sources of model, player, widgets, editor and resources.
 
-The sources of a folder are read together where the build may join them (see quadrille_unity): most of the time goes
-into headers. What these declare is not searched where the build made the module ownsources, which takes less than a third
+The sources of a folder are read together, as most of the time goes into headers: names in unnamed namespaces are unique
+within a folder (see quadrille_unity). What these declare is not searched where the build made the module ownsources, which takes less than a third
 of the time. What passed is not read again until one of its sources, a header of ours that they include, its compiler flags or
 .clang-tidy change; it is kept in BUILD_DIR/lint.
 --quick leaves clang's static analyser out.
@@ -39,8 +39,9 @@ def flags_of(command):
             next(words)  # precompiled headers are GCC's, and each source includes what it uses
         elif word.startswith("-I") and word.endswith("_autogen/include"):
             flags += ["-isystem", word[2:]]  # what moc writes is not ours
-        # Warnings are the compiler's matter, and -Werror would make clang's errors; parameters are GCC's.
-        elif not word.startswith(("-W", "--param")):
+        # Warnings are the compiler's matter, and -Werror would make clang's errors; how code is made, which kernels
+        # have flags of their own for, says nothing of the sources; parameters are GCC's.
+        elif not word.startswith(("-W", "-O", "-f", "--param")):
             flags.append(word)
     return tuple(flags), target
 
@@ -59,7 +60,7 @@ def dependencies(build):
 
 
 class Unit:
-    """What is read at once: a source, or all those of a folder that the build joins and compiles with the same flags."""
+    """What is read at once: the sources of a folder that are of one library and compiled with the same flags."""
 
     def __init__(self, path, sources, flags):
         self.path = path
@@ -84,7 +85,7 @@ class Unit:
 
 
 def units_of(build, folder):
-    """All units of the build's compile commands; those with several sources are written into the folder given."""
+    """All units of the build's compile commands, of files that are to be written into the folder given."""
     deps = dependencies(build)
     units = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
@@ -95,12 +96,17 @@ def units_of(build, folder):
         sources = [path]
         if path.is_relative_to(build):
             sources = [Path(name) for name in re.findall(r'#include "(/.*\.cpp)"', path.read_text())]
+        if not sources:
+            continue  # precompiled headers
         if target.startswith("player/") and not sources[0].is_relative_to(ROOT / "player"):
             continue  # a part of the model, which is checked where it belongs
-        key = path
-        if len(sources) > 1 or "Unity" in path.parts:
-            key = folder / (re.sub(r"_\d+_cxx$", "", path.stem) + "-" + Path(target).parts[-3].removesuffix(".dir") + ".cxx")
-        unit = units.setdefault((key, flags), Unit(key, [], flags))
+        library = next(part for part in Path(target).parts if part.endswith(".dir")).removesuffix(".dir")
+        place = sources[0].parent.relative_to(ROOT if sources[0].is_relative_to(ROOT) else build)
+        key = ("_".join(place.parts) + "-" + library, flags)
+        if key not in units:
+            others = sum(name == key[0] for name, _ in units)
+            units[key] = Unit(folder / (key[0] + f"-{others}" * (others > 0) + ".cxx"), [], flags)
+        unit = units[key]
         unit.sources += sources
         for dependency in deps.get(target, []):
             header = (build / dependency).resolve()
@@ -133,8 +139,7 @@ def main():
     units = units_of(build, folder)
     for unit in units:
         unit.sign(common)
-        if unit.path.parent == folder:
-            unit.path.write_text("".join(f'#include "{source}"\n' for source in unit.sources))
+        unit.path.write_text("".join(f'#include "{source}"\n' for source in unit.sources))
     known = set().union(*(unit.names() for unit in units))
     for name in chosen - known:
         sys.exit(f"error: {name} is not compiled, so it cannot be checked")

@@ -21,7 +21,7 @@ using Numbers = std::vector<double, tbb::cache_aligned_allocator<double>>;
         std::copy_n(a.row(k) + first, tileColumns, panel + k * tileColumns);
 }
 
-Numbers panelFor(const DenseMatrix& a)
+Numbers panelOf(const DenseMatrix& a)
 {
     return Numbers(static_cast<std::size_t>(a.filledRows() * tileColumns));
 }
@@ -92,22 +92,22 @@ void bothWays(const DenseMatrix& a, const DenseMatrix& b, double* panelA, double
 
 void multiplyLower(const DenseMatrix& a, const DenseMatrix& b, DenseMatrix& product)
 {
-    lowerTimesLower(a, b, panelFor(a).data(), product);
+    lowerTimesLower(a, b, panelOf(a).data(), product);
 }
 
 void squareLower(const DenseMatrix& a, DenseMatrix& product)
 {
-    lowerTimesUpper(a, panelFor(a).data(), product);
+    lowerTimesUpper(a, panelOf(a).data(), product);
 }
 
 void squareLowerTransposed(const DenseMatrix& a, DenseMatrix& product)
 {
-    upperTimesLower(a, panelFor(a).data(), product);
+    upperTimesLower(a, panelOf(a).data(), product);
 }
 
 void multiplySymmetric(const DenseMatrix& a, const DenseMatrix& b, DenseMatrix& product)
 {
-    bothWays(a, b, panelFor(a).data(), panelFor(a).data(), product);
+    bothWays(a, b, panelOf(a).data(), panelOf(a).data(), product);
 }
 
 } // namespace quadrille

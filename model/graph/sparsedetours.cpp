@@ -17,15 +17,13 @@
 namespace quadrille {
 namespace {
 
-using Index = Eigen::Index;
-
-constexpr double none = std::numeric_limits<double>::infinity();
-constexpr Index lanes = 32;
+constexpr double unreached = std::numeric_limits<double>::infinity();
+constexpr Eigen::Index lanes = 32;
 
 /// The edges that lead to each node, in the order of their sources.
 struct Incoming
 {
-    std::vector<Index> firstOf; ///< of each node, and the number of edges
+    std::vector<Eigen::Index> firstOf; ///< of each node, and the number of edges
     std::vector<std::int32_t> sources;
     std::vector<double> weights;
 };
@@ -35,18 +33,18 @@ Incoming incomingEdges(const Table<double>& weights)
     Incoming edges;
     edges.firstOf.assign(static_cast<std::size_t>(weights.cols() + 1), 0);
     const auto forEach = [&](const auto& handle) {
-        for (Index i = 0; i < weights.rows(); ++i)
-            for (Index j = 0; j < weights.cols(); ++j)
-                if (i != j && weights(i, j) < none)
+        for (Eigen::Index i = 0; i < weights.rows(); ++i)
+            for (Eigen::Index j = 0; j < weights.cols(); ++j)
+                if (i != j && weights(i, j) < unreached)
                     handle(i, j);
     };
-    forEach([&](Index, Index j) { ++edges.firstOf[static_cast<std::size_t>(j) + 1]; });
+    forEach([&](Eigen::Index, Eigen::Index j) { ++edges.firstOf[static_cast<std::size_t>(j) + 1]; });
     for (std::size_t j = 1; j < edges.firstOf.size(); ++j)
         edges.firstOf[j] += edges.firstOf[j - 1];
     edges.sources.resize(static_cast<std::size_t>(edges.firstOf.back()));
     edges.weights.resize(edges.sources.size());
-    std::vector<Index> next = edges.firstOf;
-    forEach([&](Index i, Index j) {
+    std::vector<Eigen::Index> next = edges.firstOf;
+    forEach([&](Eigen::Index i, Eigen::Index j) {
         const auto position = static_cast<std::size_t>(next[static_cast<std::size_t>(j)]++);
         edges.sources[position] = static_cast<std::int32_t>(i);
         edges.weights[position] = weights(i, j);
@@ -57,9 +55,9 @@ Incoming incomingEdges(const Table<double>& weights)
 /// What is known from the sources first … first + lanes − 1 to every node.
 struct Block
 {
-    explicit Block(Index nodes)
-        : walks(static_cast<std::size_t>(nodes * lanes), none)
-        , detours(walks.size(), none)
+    explicit Block(Eigen::Index nodes)
+        : walks(static_cast<std::size_t>(nodes * lanes), unreached)
+        , detours(walks.size(), unreached)
         , changed(static_cast<std::size_t>(nodes), 0)
         , visited(static_cast<std::size_t>(nodes), -1)
     {
@@ -74,40 +72,40 @@ struct Block
 
 /// Gives every node a turn. Returns whether any walk became cheaper.
 QUADRILLE_SIMD_CLONES
-bool sweep(const Incoming& edges, Index first, Block& block)
+bool sweep(const Incoming& edges, Eigen::Index first, Block& block)
 {
-    const Index* const firstOf = edges.firstOf.data();
+    const Eigen::Index* const firstOf = edges.firstOf.data();
     const std::int32_t* const sources = edges.sources.data();
     const double* const weights = edges.weights.data();
     double* const walks = block.walks.data();
     std::int64_t* const changed = block.changed.data();
     bool isAnyLowered = false;
-    for (Index node = 0; node < std::ssize(block.changed); ++node) {
+    for (Eigen::Index node = 0; node < std::ssize(block.changed); ++node) {
         const std::int64_t visited = block.visited[static_cast<std::size_t>(node)];
         block.visited[static_cast<std::size_t>(node)] = ++block.now;
         double costs[lanes];
         double* const known = &block.detours[static_cast<std::size_t>(node * lanes)];
-        for (Index l = 0; l < lanes; ++l)
+        for (Eigen::Index l = 0; l < lanes; ++l)
             costs[l] = known[l];
-        for (Index e = firstOf[node]; e < firstOf[node + 1]; ++e) {
+        for (Eigen::Index e = firstOf[node]; e < firstOf[node + 1]; ++e) {
             if (changed[sources[e]] <= visited)
                 continue;
             const double weight = weights[e];
             const double* const toSource = walks + sources[e] * lanes;
 #pragma omp simd
-            for (Index l = 0; l < lanes; ++l) {
+            for (Eigen::Index l = 0; l < lanes; ++l) {
                 const double sum = toSource[l] + weight;
                 costs[l] = sum < costs[l] ? sum : costs[l];
             }
         }
-        for (Index l = 0; l < lanes; ++l)
+        for (Eigen::Index l = 0; l < lanes; ++l)
             known[l] = costs[l];
         if (node >= first && node < first + lanes)
-            costs[node - first] = none;
+            costs[node - first] = unreached;
         double* const own = walks + node * lanes;
         int lowered = 0;
 #pragma omp simd reduction(| : lowered)
-        for (Index l = 0; l < lanes; ++l) {
+        for (Eigen::Index l = 0; l < lanes; ++l) {
             lowered |= costs[l] < own[l];
             own[l] = costs[l] < own[l] ? costs[l] : own[l];
         }
@@ -121,23 +119,23 @@ bool sweep(const Incoming& edges, Index first, Block& block)
 
 /// The rows of a block; calls `report` before every sweep.
 template <typename Report>
-void relaxBlock(const Table<double>& weights, const Incoming& edges, Index first, Table<double>& detours,
-                const Report& report)
+void relaxBlock(const Table<double>& weights, const Incoming& edges, Eigen::Index first,
+                Table<double>& detours, const Report& report)
 {
     Block block(weights.rows());
-    const Index end = std::min(first + lanes, weights.rows());
-    for (Index i = first; i < end; ++i) {
-        for (Index j = 0; j < weights.cols(); ++j) {
+    const Eigen::Index end = std::min(first + lanes, weights.rows());
+    for (Eigen::Index i = first; i < end; ++i) {
+        for (Eigen::Index j = 0; j < weights.cols(); ++j) {
             const auto position = static_cast<std::size_t>(j * lanes + i - first);
             block.detours[position] = detours(i, j);
-            block.walks[position] = i == j ? none : std::min(weights(i, j), detours(i, j));
+            block.walks[position] = i == j ? unreached : std::min(weights(i, j), detours(i, j));
         }
     }
     do
         report();
     while (sweep(edges, first, block));
-    for (Index i = first; i < end; ++i)
-        for (Index j = 0; j < weights.cols(); ++j)
+    for (Eigen::Index i = first; i < end; ++i)
+        for (Eigen::Index j = 0; j < weights.cols(); ++j)
             detours(i, j) = block.detours[static_cast<std::size_t>(j * lanes + i - first)];
 }
 
@@ -148,9 +146,9 @@ void lowerDetoursSparsely(const Table<double>& weights, Table<double>& detours, 
     assert(weights.rows() == weights.cols());
     assert(detours.rows() == weights.rows() && detours.cols() == weights.cols());
     const Incoming edges = incomingEdges(weights);
-    const Index blocks = (weights.rows() + lanes - 1) / lanes;
-    std::atomic<Index> done = 0;
-    tbb::parallel_for(Index{0}, blocks, [&](Index block) {
+    const Eigen::Index blocks = (weights.rows() + lanes - 1) / lanes;
+    std::atomic<Eigen::Index> done = 0;
+    tbb::parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
         relaxBlock(weights, edges, block * lanes, detours, [&] { progress.report(done, blocks); });
         progress.report(++done, blocks);
     });

@@ -14,7 +14,7 @@ namespace {
 
 /// The destination starts [start, start + windowLanes) of a search.
 template <int Slope>
-struct Block
+struct WindowBlock
 {
     const WindowSearch& search;
     BestWindows& best;
@@ -47,7 +47,7 @@ struct Block
 /// greatest, over the frames j from x on, of the best sum known for j less the least that the columns up to j
 /// add. \param last  the last frame whose best sum is new.
 template <int Slope>
-[[gnu::always_inline]] inline void setBounds(const Block<Slope>& block, int last)
+[[gnu::always_inline]] inline void setBounds(const WindowBlock<Slope>& block, int last)
 {
     const int begin = block.start + block.search.shortest - 1;
     double bound = last + 1 < block.end ? block.bounds[last + 1] - block.minima[last + 1] : -1;
@@ -61,7 +61,7 @@ template <int Slope>
 
 /// Takes the sums of the windows that end in this row where they are better than what is known.
 template <int Slope>
-[[gnu::always_inline]] inline void takeBest(const Block<Slope>& block, int row)
+[[gnu::always_inline]] inline void takeBest(const WindowBlock<Slope>& block, int row)
 {
     int lastChanged = -1;
     const auto sourceWindow = static_cast<std::uint16_t>(row + 1);
@@ -88,7 +88,7 @@ template <int Slope>
 
 /// One row of the dynamic programme, over the columns that the row before reached and as far as it goes on.
 template <int Slope>
-[[gnu::always_inline]] inline void advance(Block<Slope>& block, int row)
+[[gnu::always_inline]] inline void advance(WindowBlock<Slope>& block, int row)
 {
     WarpRow<Slope> state;
     int c = block.first;
@@ -107,7 +107,7 @@ template <int Slope>
 
 /// Leaves out the cells at both ends of the row from which no path is worth while.
 template <int Slope>
-[[gnu::always_inline]] inline void trim(Block<Slope>& block)
+[[gnu::always_inline]] inline void trim(WindowBlock<Slope>& block)
 {
     for (; block.last >= block.first; --block.last) {
         double* cell = block.cellAt(block.last);
@@ -124,7 +124,7 @@ template <int Slope>
 }
 
 template <int Slope>
-[[gnu::always_inline]] inline void searchBlock(Block<Slope> block)
+[[gnu::always_inline]] inline void searchBlock(WindowBlock<Slope> block)
 {
     std::fill_n(block.bounds + block.end, windowLanes, -1.0);
     setBounds(block, block.end - 1);
