@@ -4,7 +4,6 @@
 
 #include "model/project/document/groundpoint.h"
 #include "model/project/document/lengthunit.h"
-#include "model/project/fields/schema.h"
 #include "widgets/viewport/ruler.h"
 
 #include <QCoreApplication>
@@ -15,25 +14,6 @@
 #include <limits>
 
 namespace quadrille {
-
-NumberFacts factsOf(std::string_view path)
-{
-    static const Json definitions = projectSchema()["definitions"];
-    const auto dot = path.find('.');
-    const Json& member = definitions.at(std::string(path.substr(0, dot)))
-                             .at("properties")
-                             .at(std::string(path.substr(dot + 1)));
-    // Where a word may stand for it, the number comes first.
-    const Json& number = member.contains("oneOf") ? member["oneOf"].front() : member;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    NumberFacts facts{.least = number.value("minimum", number.value("exclusiveMinimum", -infinity)),
-                      .isAboveLeast = number.contains("exclusiveMinimum"),
-                      .greatest = number.value("maximum", number.value("exclusiveMaximum", infinity)),
-                      .usual = {}};
-    if (member.contains("default") && member["default"].is_number())
-        facts.usual = member["default"].get<double>();
-    return facts;
-}
 
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include "editor/fields/settingform.h"
 #include "model/project/fields/members.h"
+#include "model/project/fields/schema.h"
 
 #include <functional>
 #include <optional>
@@ -12,17 +13,6 @@
 class QDoubleSpinBox;
 
 namespace quadrille {
-
-/// What the schema of the project file says of a number.
-struct NumberFacts
-{
-    double least; ///< -infinity where there is none
-    bool isAboveLeast;
-    double greatest;             ///< infinity where there is none
-    std::optional<double> usual; ///< what counts where it is left out
-};
-/// \param path  definition and key, as “search.dwell”. \pre It is a number of the schema.
-NumberFacts factsOf(std::string_view path);
 
 /// How a field shows a number.
 struct NumberLook

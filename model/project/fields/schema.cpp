@@ -4,8 +4,10 @@
 
 #include "model/project/fields/shareddefinitions.h"
 #include "model/project/fields/visitor.h"
+#include "model/project/json/jsontext.h"
 
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace quadrille {
@@ -311,6 +313,25 @@ Json projectSchema()
     schema["properties"] = writer.properties();
     schema["definitions"] = std::move(definitions);
     return schema;
+}
+
+NumberFacts factsOf(std::string_view path)
+{
+    static const Json definitions = projectSchema()["definitions"];
+    const auto dot = path.find('.');
+    const Json& member = definitions.at(std::string(path.substr(0, dot)))
+                             .at("properties")
+                             .at(std::string(path.substr(dot + 1)));
+    // Where a word may stand for it, the number comes first.
+    const Json& number = member.contains("oneOf") ? member["oneOf"].front() : member;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    NumberFacts facts{.least = number.value("minimum", number.value("exclusiveMinimum", -infinity)),
+                      .isAboveLeast = number.contains("exclusiveMinimum"),
+                      .greatest = number.value("maximum", number.value("exclusiveMaximum", infinity)),
+                      .usual = {}};
+    if (member.contains("default") && member["default"].is_number())
+        facts.usual = member["default"].get<double>();
+    return facts;
 }
 
 } // namespace quadrille
