@@ -6,7 +6,7 @@
 #include "editor/documents/editcheck.h"
 #include "editor/documents/projectpaths.h"
 #include "model/project/file/usableproject.h"
-#include "model/project/json/jsontext.h"
+#include "model/project/json/keptjson.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -48,8 +48,7 @@ bool setBroken(ProjectDocument& document, const QString& title, const QString& j
     if (found == titles.end())
         return false;
     try {
-        broken[static_cast<std::size_t>(found - titles.begin())].json =
-            parseJson(json.toStdString()).document;
+        broken[static_cast<std::size_t>(found - titles.begin())].json = keptFromText(json.toStdString());
         setBrokenEntries(changed, broken);
         const std::filesystem::path file = document.workingFile();
         changed = withAbsolutePaths(withBrokenReadAgain(changed, file), file.parent_path());

@@ -232,7 +232,7 @@ void ExportDialog::showPlan()
     m_axes->setProjectAxes(settings.axes);
     m_axes->setAxes(entry.axes.value_or(settings.axes));
     m_textures->setChecked(entry.textures);
-    if (!entry.picture.is_null()) {
+    if (!entry.picture.isNone()) {
         ProjectProblems ignored;
         m_picture->setSettings(pictureFromJson(entry.picture, "/picture", ignored));
     }
@@ -257,7 +257,7 @@ void ExportDialog::chooseFormat()
         m_plan.entry.path = m_proposedPath = fresh.entry.path;
     else
         m_plan.entry.path = withEndingOf(m_plan.entry.path, m_plan.format());
-    if (m_plan.isPicture() && m_plan.entry.picture.is_null() && m_plan.edited.isEmpty())
+    if (m_plan.isPicture() && m_plan.entry.picture.isNone() && m_plan.edited.isEmpty())
         takeView();
     m_plan.entry.picture = m_plan.isPicture() ? picture() : UnknownKeys();
     showPlan();
@@ -317,7 +317,7 @@ void ExportDialog::takeView()
         return;
     RenderSettings settings = m_picture->settings();
     settings.view = m_view->camera;
-    if (m_plan.entry.picture.is_null())
+    if (m_plan.entry.picture.isNone())
         settings.camera = m_view->follows ? CameraMode::Follow : CameraMode::Fixed;
     m_picture->setSettings(settings);
 }

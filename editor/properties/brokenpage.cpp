@@ -5,7 +5,7 @@
 #include "editor/commands/brokenedits.h"
 #include "editor/context/editorcontext.h"
 #include "model/project/document/brokenentry.h"
-#include "model/project/json/jsontext.h"
+#include "model/project/json/keptjson.h"
 
 #include <QFontDatabase>
 #include <QPlainTextEdit>
@@ -41,7 +41,7 @@ void BrokenPage::show(const QString& title)
                            ? problem.sentence
                            : tr("%1 %2", "sentence and remedy").arg(problem.sentence, problem.remedy));
     m_place->setText(problem.where);
-    const QString text = QString::fromStdString(writeJson(entry.json)).trimmed();
+    const QString text = QString::fromStdString(textOf(entry.json)).trimmed();
     if (m_title != title || m_shown != text)
         m_text->setPlainText(text);
     m_title = title;

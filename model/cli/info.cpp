@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/cli/commands.h"
 #include "model/cli/sequenceinfo.h"
+#include "model/project/json/jsontext.h"
 #include "model/sequence/io/registry.h"
 
 #include <memory>

@@ -5,6 +5,7 @@
 #include "model/cli/commands.h"
 #include "model/core/stagedfiles.h"
 #include "model/project/file/projectfile.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/media/projectguard.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"

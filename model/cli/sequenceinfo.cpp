@@ -4,6 +4,7 @@
 
 #include "model/core/bounds.h"
 #include "model/project/document/lengthunit.h"
+#include "model/project/json/jsontext.h"
 #include "model/sequence/io/ratebeside.h"
 
 #include <Eigen/Geometry>

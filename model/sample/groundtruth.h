@@ -4,7 +4,7 @@
 
 #include "model/sample/sample.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace quadrille {

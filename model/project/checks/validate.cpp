@@ -148,7 +148,7 @@ private:
         } else if (section == "variations") {
             checkVariationClip(clip, pointer);
         } else if (section != "sequences") {
-            if (m_project.unknown.is_object() && m_project.unknown.contains(section))
+            if (m_project.unknown.contains(section))
                 m_problems.push_back(warningAt(pointer, "Clips of the section " + quoted(section) +
                                                             " cannot be used by this version"));
             else

@@ -3,16 +3,23 @@
 #include "model/project/document/brokenentry.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace quadrille {
 
+namespace {
+
+using Kept = nlohmann::ordered_json;
+
+} // namespace
+
 std::string BrokenEntry::name() const
 {
     for (const char* key : {"name", "character", "table"}) {
-        if (!json.is_object() || !json.contains(key) || !json[key].is_string())
+        if (!json.contains(key) || !json.json()[key].is_string())
             continue;
-        if (auto found = json[key].get<std::string>(); !found.empty())
+        if (auto found = json.json()[key].get<std::string>(); !found.empty())
             return found;
     }
     return {};
@@ -28,13 +35,13 @@ std::string BrokenEntry::title() const
 std::vector<BrokenEntry> brokenEntries(const Project& project)
 {
     std::vector<BrokenEntry> entries;
-    if (!project.unknown.is_object() || !project.unknown.contains(brokenEntriesKey))
+    if (!project.unknown.contains(brokenEntriesKey))
         return entries;
-    for (const UnknownKeys& kept : project.unknown[brokenEntriesKey]) {
-        BrokenEntry entry{kept["section"].get<std::string>(), {}, kept["json"], {}};
+    for (const Kept& kept : project.unknown.json()[brokenEntriesKey]) {
+        BrokenEntry entry{kept["section"].get<std::string>(), {}, UnknownKeys(kept["json"]), {}};
         if (kept.contains("place"))
             entry.place = kept["place"].get<std::size_t>();
-        const UnknownKeys& problem = kept["problem"];
+        const Kept& problem = kept["problem"];
         entry.problem.code = static_cast<ErrorCode>(problem["code"].get<int>());
         entry.problem.pointer = problem["pointer"].get<std::string>();
         ErrorContext& context = entry.problem.context;
@@ -53,31 +60,33 @@ std::vector<BrokenEntry> brokenEntries(const Project& project)
 void setBrokenEntries(Project& project, const std::vector<BrokenEntry>& entries)
 {
     project.unknown = unknownKeys(project);
+    Kept list;
     for (const BrokenEntry& entry : entries) {
         const ErrorContext& context = entry.problem.context;
-        UnknownKeys problem{{"code", static_cast<int>(entry.problem.code)},
-                            {"pointer", entry.problem.pointer},
-                            {"file", context.file.string()},
-                            {"values", UnknownKeys::object()}};
+        Kept problem{{"code", static_cast<int>(entry.problem.code)},
+                     {"pointer", entry.problem.pointer},
+                     {"file", context.file.string()},
+                     {"values", Kept::object()}};
         if (context.place.line)
             problem["line"] = *context.place.line;
         if (context.place.column)
             problem["column"] = *context.place.column;
         for (const auto& [name, value] : context.values)
             problem["values"][name] = value;
-        UnknownKeys kept{{"section", entry.section}, {"json", entry.json}, {"problem", std::move(problem)}};
+        Kept kept{{"section", entry.section}, {"json", entry.json.json()}, {"problem", std::move(problem)}};
         if (entry.place)
             kept["place"] = *entry.place;
-        project.unknown[brokenEntriesKey].push_back(std::move(kept));
+        list.push_back(std::move(kept));
     }
+    if (!entries.empty())
+        project.unknown.set(brokenEntriesKey, std::move(list));
 }
 
 UnknownKeys unknownKeys(const Project& project)
 {
     UnknownKeys keys = project.unknown;
-    if (keys.is_object())
-        keys.erase(brokenEntriesKey);
-    return keys.empty() ? UnknownKeys() : keys;
+    keys.erase(brokenEntriesKey);
+    return keys.json().empty() ? UnknownKeys() : keys;
 }
 
 std::vector<std::string> titlesOf(const std::vector<BrokenEntry>& entries)

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/project/document/unknownkeys.h"
+
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +29,7 @@ struct EvaluationEntry
     /// appearance-shape: frames of each take whose textures are compared, 10.
     std::optional<std::int64_t> count;
     std::int64_t seed = 1; ///< of what is drawn
-    nlohmann::ordered_json unknown;
+    UnknownKeys unknown;
 
     /// Whether it is of two sequences, of which neither serves without the other.
     bool needsAllSequences() const { return table != "table2"; }

@@ -3,6 +3,7 @@
 #include "model/project/document/framenote.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -15,18 +16,20 @@ constexpr auto notesKey = "notes";
 std::vector<FrameNote> notesOf(const UnknownKeys& entry)
 {
     std::vector<FrameNote> notes;
-    if (!entry.is_object() || !entry.contains(notesKey))
+    if (!entry.contains(notesKey))
         return notes;
-    for (const UnknownKeys& json : entry[notesKey]) {
+    for (const nlohmann::ordered_json& json : entry.json()[notesKey]) {
         FrameNote& note = notes.emplace_back();
+        nlohmann::ordered_json unknown;
         for (const auto& [key, value] : json.items()) {
             if (key == "frame")
                 note.frame = FrameIndex(value.get<std::int64_t>());
             else if (key == "text")
                 note.text = value.get<std::string>();
             else
-                note.unknown[key] = value;
+                unknown[key] = value;
         }
+        note.unknown = UnknownKeys(std::move(unknown));
     }
     std::ranges::stable_sort(notes, {}, &FrameNote::frame);
     return notes;
@@ -34,18 +37,18 @@ std::vector<FrameNote> notesOf(const UnknownKeys& entry)
 
 void setNotes(UnknownKeys& entry, std::vector<FrameNote> notes)
 {
-    if (entry.is_object())
-        entry.erase(notesKey);
+    nlohmann::ordered_json kept = entry.json();
+    if (kept.is_object())
+        kept.erase(notesKey);
     std::ranges::stable_sort(notes, {}, &FrameNote::frame);
     for (const FrameNote& note : notes) {
-        UnknownKeys json = UnknownKeys::object();
+        nlohmann::ordered_json json = nlohmann::ordered_json::object();
         json["frame"] = note.frame.value;
         json["text"] = note.text;
         addUnknown(json, note.unknown);
-        entry[notesKey].push_back(std::move(json));
+        kept[notesKey].push_back(std::move(json));
     }
-    if (entry.is_object() && entry.empty())
-        entry = UnknownKeys();
+    entry = kept.empty() ? UnknownKeys() : UnknownKeys(std::move(kept));
 }
 
 } // namespace quadrille

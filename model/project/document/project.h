@@ -11,6 +11,7 @@
 #include "model/project/document/problem.h"
 #include "model/project/document/projectionentry.h"
 #include "model/project/document/transferentry.h"
+#include "model/project/document/unknownkeys.h"
 #include "model/project/document/variationentry.h"
 #include "model/sequence/axes.h"
 #include "model/sequence/meshsequence.h"
@@ -18,7 +19,6 @@
 #include "model/transition/posedistancesettings.h"
 #include "model/transition/transitionsettings.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -135,7 +135,7 @@ struct ExportEntry
     std::optional<double> fps;
     std::optional<CoordinateSystem> axes;
     bool textures = true;
-    /// Size, look and camera of pictures and videos as in the file, see pictureoptions.h; null for the
+    /// Size, look and camera of pictures and videos as in the file, see pictureoptions.h; none for the
     /// defaults.
     UnknownKeys picture;
     UnknownKeys unknown;

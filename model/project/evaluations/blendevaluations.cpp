@@ -8,6 +8,7 @@
 #include "model/transition/posedistance.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 

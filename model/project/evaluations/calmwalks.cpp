@@ -6,6 +6,8 @@
 #include "model/project/steps/walkrequest.h"
 #include "model/project/store/tablebuilder.h"
 
+#include <nlohmann/json.hpp>
+
 namespace quadrille {
 
 namespace {

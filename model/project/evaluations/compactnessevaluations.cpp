@@ -6,6 +6,7 @@
 #include "model/project/store/tablebuilder.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 

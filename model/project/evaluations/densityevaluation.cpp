@@ -10,6 +10,8 @@
 #include "model/synthesis/finishing/footdrift.h"
 #include "model/synthesis/quality/liveliness.h"
 
+#include <nlohmann/json.hpp>
+
 namespace quadrille {
 
 namespace {

@@ -6,6 +6,7 @@
 #include "model/project/store/tablebuilder.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 

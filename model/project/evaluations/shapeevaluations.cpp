@@ -8,6 +8,8 @@
 #include "model/project/steps/appearanceposes.h"
 #include "model/project/store/tablebuilder.h"
 
+#include <nlohmann/json.hpp>
+
 namespace quadrille {
 
 namespace {

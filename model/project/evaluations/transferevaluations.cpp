@@ -225,8 +225,7 @@ BuildStep transferErrorStep(const CharacterInputs& work, const EvaluationEntry& 
     step.version = TransferWork::version;
     for (const TransferEntry* entry : transfersWithTruth(project, work.character)) {
         const TransferWork& own = transfers.emplace_back(work.opener, *entry);
-        step.settings += writeFields(*entry).dump(-1, ' ', true, Json::error_handler_t::replace) +
-                         own.settings() + truthSettings(project, *entry);
+        step.settings += settingsText(*entry) + own.settings() + truthSettings(project, *entry);
         for (const std::vector<std::string>& needed : {own.inputs(), clipStepsOf(project, entry->truth)}) {
             for (const std::string& input : needed) {
                 if (!contains(step.inputs, input))

@@ -7,6 +7,8 @@
 #include "model/transition/acceleration.h"
 #include "model/transition/transitioncomparison.h"
 
+#include <nlohmann/json.hpp>
+
 namespace quadrille {
 
 namespace {

@@ -10,6 +10,7 @@
 #include "model/project/exports/playerexport.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/media/projectguard.h"
 #include "model/project/media/sequencesettings.h"
 #include "model/project/steps/buildstep.h"

@@ -126,7 +126,7 @@ void readValue(const ObjectReader& reader, const std::string& key, TextureRefere
     } else {
         reader.invalid(own.pointer(), "“per_frame” or “per_material” is missing here");
     }
-    texture.unknown = own.unknown({"per_frame", "per_material"});
+    texture.unknown = UnknownKeys(own.unknown({"per_frame", "per_material"}));
 }
 
 void writeValue(Json& json, const std::string& key, const TextureReference& texture, const FieldContext&)
@@ -165,7 +165,7 @@ void readValue(const ObjectReader& reader, const std::string& key, UnknownKeys& 
         note.frame = FrameIndex(own.wholeNumber("frame").value_or(0));
         if (note.frame.value < 0)
             own.invalid(own.pointer("frame"), "The frame of a note is below zero", "Count frames from 0.");
-        note.unknown = own.unknown({"frame", "text"});
+        note.unknown = UnknownKeys(own.unknown({"frame", "text"}));
         notes.push_back(std::move(note));
     });
     setNotes(entry, std::move(notes));
@@ -173,8 +173,8 @@ void readValue(const ObjectReader& reader, const std::string& key, UnknownKeys& 
 
 void writeValue(Json& json, const std::string& key, const UnknownKeys& entry, const FieldContext&)
 {
-    if (entry.is_object() && entry.contains(key))
-        json[key] = entry[key];
+    if (entry.contains(key))
+        json[key] = entry.json()[key];
 }
 
 void valueSchema(Json& properties, const std::string& key, Type<UnknownKeys>)
@@ -185,15 +185,15 @@ void valueSchema(Json& properties, const std::string& key, Type<UnknownKeys>)
 void readValue(const ObjectReader& reader, const std::string& key, ExportEntry& entry, const FieldContext&)
 {
     if (const Json* picture = reader.find(key)) {
-        pictureFromJson(*picture, reader.pointer(key), reader.problems());
-        entry.picture = *picture;
+        entry.picture = UnknownKeys(*picture);
+        pictureFromJson(entry.picture, reader.pointer(key), reader.problems());
     }
 }
 
 void writeValue(Json& json, const std::string& key, const ExportEntry& entry, const FieldContext&)
 {
-    if (!entry.picture.is_null())
-        json[key] = entry.picture;
+    if (!entry.picture.isNone())
+        json[key] = entry.picture.json();
 }
 
 void valueSchema(Json& properties, const std::string& key, Type<ExportEntry>)

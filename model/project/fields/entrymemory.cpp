@@ -3,6 +3,7 @@
 #include "model/project/fields/entrymemory.h"
 
 #include "model/project/fields/walker.h"
+#include "model/project/json/jsontext.h"
 
 namespace quadrille {
 
@@ -29,7 +30,7 @@ public:
             add(value.points);
         else if constexpr (std::is_same_v<Value, ObstacleEntry>)
             add(value.corners);
-        else if constexpr (requires { value.size(), value[0]; } && !std::is_same_v<Value, UnknownKeys>)
+        else if constexpr (requires { value.size(), value[0]; })
             add(value);
     }
     template <typename Member, typename Name, typename Unknown>
@@ -55,7 +56,7 @@ public:
     void unknown(Member member)
     {
         const UnknownKeys& keys = memberOf(this->entry(), member);
-        this->state() += keys.is_null() ? 0 : keys.dump().size() * 2;
+        this->state() += keys.isNone() ? 0 : keys.json().dump().size() * 2;
     }
 
 private:

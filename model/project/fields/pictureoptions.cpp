@@ -4,15 +4,16 @@
 
 #include "model/project/fields/readfields.h"
 #include "model/project/fields/writefields.h"
+#include "model/project/json/jsontext.h"
 
 namespace quadrille {
 
-RenderSettings pictureFromJson(const Json& json, const std::string& pointer, ProjectProblems& problems)
+RenderSettings pictureFromJson(const UnknownKeys& json, const std::string& pointer, ProjectProblems& problems)
 {
     RenderSettings settings;
-    if (json.is_null())
+    if (json.isNone())
         return settings;
-    readFields({json, pointer, problems}, settings);
+    readFields({json.json(), pointer, problems}, settings);
     if (!settings.view)
         return settings;
     if (const double distance = (settings.view->eye - settings.view->target).norm(); distance > 0) {
@@ -22,9 +23,9 @@ RenderSettings pictureFromJson(const Json& json, const std::string& pointer, Pro
     return settings;
 }
 
-Json pictureToJson(const RenderSettings& settings)
+UnknownKeys pictureToJson(const RenderSettings& settings)
 {
-    return writeFields(settings);
+    return UnknownKeys(writeFields(settings));
 }
 
 } // namespace quadrille

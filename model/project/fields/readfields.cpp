@@ -99,6 +99,7 @@ public:
                const char*)
     {
         known(key, {});
+        Json withUnknown;
         m_reader.each(key, [&](const Json& json, const std::string& pointer) {
             const ObjectReader own(json, pointer, m_reader.problems());
             auto& span = memberOf(m_entry, member).emplace_back();
@@ -107,8 +108,10 @@ public:
                 own.missing("frames");
             span.frames = own.range("frames").value_or(FrameRange{});
             if (!own.unknown({nameKey, "frames"}).is_null())
-                memberOf(m_entry, unknownOfSpans)[key].push_back(json);
+                withUnknown.push_back(json);
         });
+        if (!withUnknown.is_null())
+            memberOf(m_entry, unknownOfSpans).set(key, std::move(withUnknown));
     }
 
     template <typename Member, typename Unknown = std::nullptr_t>
@@ -189,12 +192,12 @@ public:
     void finish() const
     {
         const std::vector<std::string_view> keys(m_keys.begin(), m_keys.end());
-        UnknownKeys rest = m_reader.unknown(keys);
+        Json rest = m_reader.unknown(keys);
         if (m_unknown == nullptr)
             return;
-        for (const auto& [key, value] : m_unknown->items()) // notes
+        for (const auto& [key, value] : m_unknown->json().items()) // notes
             rest[key] = value;
-        *m_unknown = std::move(rest);
+        *m_unknown = UnknownKeys(std::move(rest));
     }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "model/project/json/jsontext.h"
+#include "model/project/json/json.h"
 
 #include <optional>
 #include <string_view>

@@ -5,6 +5,7 @@
 #include "model/project/document/framenote.h"
 #include "model/project/fields/visitor.h"
 #include "model/project/json/jsonmembers.h"
+#include "model/project/json/jsontext.h"
 
 #include <algorithm>
 #include <variant>
@@ -93,7 +94,7 @@ public:
     void spans(const char* key, Member member, const char* nameKey, Name name, Unknown unknownOfSpans,
                const char*)
     {
-        const UnknownKeys& read = memberOf(m_entry, unknownOfSpans);
+        const Json& read = memberOf(m_entry, unknownOfSpans).json();
         for (const auto& span : memberOf(m_entry, member)) {
             Json item = Json::object();
             item[nameKey] = span.*name;
@@ -221,6 +222,12 @@ Json toJson(const Entry& entry, const FieldContext& context, const UnknownKeys* 
     return json;
 }
 
+/// In ASCII, whatever bytes its texts have.
+std::string lineOf(const Json& json)
+{
+    return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
 } // namespace
 
 Json writeFields(const Project& project)
@@ -228,44 +235,49 @@ Json writeFields(const Project& project)
     return toJson(project, {project.settings.axes});
 }
 
-Json writeFields(const BodyPartsEntry& parts)
-{
-    return toJson(parts, {CoordinateSystem()});
-}
-
-Json writeFields(const VariationEntry& variation)
-{
-    return toJson(variation, {CoordinateSystem()});
-}
-
-Json writeFields(const AppearanceEntry& appearance)
-{
-    return toJson(appearance, {CoordinateSystem()});
-}
-
-Json writeFields(const MotionSpaceEntry& space)
-{
-    return toJson(space, {CoordinateSystem()});
-}
-
-Json writeFields(const LiveEntry& live)
-{
-    return toJson(live, {CoordinateSystem()});
-}
-
-Json writeFields(const TransferEntry& transfer)
-{
-    return toJson(transfer, {CoordinateSystem()});
-}
-
-Json writeFields(const ProjectionEntry& projection)
-{
-    return toJson(projection, {CoordinateSystem()});
-}
-
 Json writeFields(const AnimationEntry& animation, UpAxis up)
 {
     return toJson(animation, {CoordinateSystem{up, 1}});
+}
+
+Json writeFields(const RenderSettings& settings)
+{
+    return toJson(settings, {CoordinateSystem()});
+}
+
+std::string settingsText(const BodyPartsEntry& parts)
+{
+    return lineOf(toJson(parts, {CoordinateSystem()}));
+}
+
+std::string settingsText(const VariationEntry& variation)
+{
+    return lineOf(toJson(variation, {CoordinateSystem()}));
+}
+
+std::string settingsText(const AppearanceEntry& appearance)
+{
+    return toJson(appearance, {CoordinateSystem()}).dump(); // its names in UTF-8
+}
+
+std::string settingsText(const MotionSpaceEntry& space)
+{
+    return lineOf(toJson(space, {CoordinateSystem()}));
+}
+
+std::string settingsText(const LiveEntry& live)
+{
+    return lineOf(toJson(live, {CoordinateSystem()}));
+}
+
+std::string settingsText(const TransferEntry& transfer)
+{
+    return lineOf(toJson(transfer, {CoordinateSystem()}));
+}
+
+std::string settingsText(const ProjectionEntry& projection)
+{
+    return lineOf(toJson(projection, {CoordinateSystem()}));
 }
 
 std::string animationSettings(const AnimationEntry& animation, UpAxis up)
@@ -274,12 +286,7 @@ std::string animationSettings(const AnimationEntry& animation, UpAxis up)
     shown.audio.reset();
     shown.camera.clear();
     setNotes(shown.unknown, {});
-    return writeFields(shown, up).dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
-Json writeFields(const RenderSettings& settings)
-{
-    return toJson(settings, {CoordinateSystem()});
+    return lineOf(writeFields(shown, up));
 }
 
 } // namespace quadrille

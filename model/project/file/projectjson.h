@@ -4,7 +4,7 @@
 
 #include "model/project/document/problem.h"
 #include "model/project/document/project.h"
-#include "model/project/json/jsontext.h"
+#include "model/project/json/json.h"
 
 namespace quadrille {
 

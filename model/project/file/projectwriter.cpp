@@ -4,6 +4,7 @@
 #include "model/project/fields/readfields.h"
 #include "model/project/fields/writefields.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 
 #include <algorithm>
 
@@ -17,13 +18,13 @@ void addBroken(Json& json, const std::vector<BrokenEntry>& broken)
     for (const BrokenEntry& entry : broken) {
         Json& section = json[entry.section];
         if (!entry.place && (section.empty() || entry.section == "settings")) {
-            section = entry.json;
+            section = entry.json.json();
             continue;
         }
         if (!section.is_array())
             section = section.is_null() ? Json::array() : Json::array({section});
         const auto place = std::min(entry.place.value_or(0), section.size());
-        section.insert(section.begin() + static_cast<std::ptrdiff_t>(place), entry.json);
+        section.insert(section.begin() + static_cast<std::ptrdiff_t>(place), entry.json.json());
     }
 }
 

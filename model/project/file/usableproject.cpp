@@ -70,13 +70,13 @@ public:
         BrokenEntry entry{part.section, {}, {}, {}};
         Json& section = m_document[part.section];
         if (!part.item) {
-            entry.json = std::move(section);
+            entry.json = UnknownKeys(std::move(section));
             m_document.erase(part.section);
             return entry;
         }
         auto& places = m_places[part.section];
         entry.place = places[*part.item];
-        entry.json = std::move(section[*part.item]);
+        entry.json = UnknownKeys(std::move(section[*part.item]));
         section.erase(*part.item);
         places.erase(places.begin() + static_cast<std::ptrdiff_t>(*part.item));
         return entry;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/core/error.h"
+#include "model/project/json/json.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,8 +11,6 @@
 #include <string_view>
 
 namespace quadrille {
-
-using Json = nlohmann::ordered_json;
 
 /// A JSON document together with where in its text each value stands.
 struct JsonText

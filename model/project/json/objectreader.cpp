@@ -180,9 +180,9 @@ std::vector<JunctionEntry> ObjectReader::junctions(std::string_view key) const
     return junctions;
 }
 
-UnknownKeys ObjectReader::unknown(Keys known) const
+Json ObjectReader::unknown(Keys known) const
 {
-    UnknownKeys rest;
+    Json rest;
     if (!m_json.is_object())
         return rest;
     for (const auto& [key, value] : m_json.items()) {

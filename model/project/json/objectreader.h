@@ -89,8 +89,8 @@ public:
 
     /// The members that are not among the known keys; null when there are none. Each is reported as a
     /// warning, but for those that begin with “_”, which are the user's own notes.
-    UnknownKeys unknown(Keys known) const;
-    UnknownKeys unknown(std::initializer_list<std::string_view> known) const
+    Json unknown(Keys known) const;
+    Json unknown(std::initializer_list<std::string_view> known) const
     {
         return unknown(Keys(known.begin(), known.size()));
     }

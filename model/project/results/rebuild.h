@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/core/writeguard.h"
-#include "model/project/json/jsontext.h"
+#include "model/project/json/json.h"
 #include "model/project/steps/buildstep.h"
 
 #include <functional>

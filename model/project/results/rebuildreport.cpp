@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/json/jsontext.h"
 #include "model/project/results/rebuild.h"
 
 #include <algorithm>

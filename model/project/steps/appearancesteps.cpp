@@ -139,7 +139,7 @@ BuildStep modelStep(const std::shared_ptr<const AppearanceWork>& work)
         completion.strokes.clear();
     }
     step.version = 6;
-    step.settings = writeFields(learned).dump() + settingsOf(project, sequences);
+    step.settings = settingsText(learned) + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.files = [work, sequences](const Progress& progress) {
         return filesOf(*work->opener, sequences, progress);
@@ -193,7 +193,7 @@ BuildStep completionsStep(const std::shared_ptr<const AppearanceWork>& work)
         if (std::ranges::find(sequences, name) == sequences.end())
             sequences.push_back(name);
     }
-    step.settings = writeFields(masked).dump() + settingsOf(project, sequences);
+    step.settings = settingsText(masked) + settingsOf(project, sequences);
     step.inputs = clipInputs(project, sequences);
     step.inputs.push_back(appearanceModelStep(work->entry.name));
     step.files = [work, sequences](const Progress& progress) {

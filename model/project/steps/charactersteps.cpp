@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 

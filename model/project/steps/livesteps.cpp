@@ -68,7 +68,7 @@ BuildStep liveStep(const StepMaking& making, const LiveEntry& entry)
     LiveEntry nameless = entry;
     nameless.name.clear();
     nameless.spaces.clear();
-    step.settings = writeFields(nameless).dump(-1, ' ', true, Json::error_handler_t::replace);
+    step.settings = settingsText(nameless);
     step.inputs = liveGraphSteps(entry.spaces);
     step.files = [](const Progress&) { return std::vector<std::filesystem::path>(); };
     step.compute = [opener = making.opener, entry](const StepContext& context, const Progress& progress) {

@@ -69,11 +69,6 @@ MeshSequence reversedTake(const MeshSequence& sequence, const Progress& progress
     return made;
 }
 
-std::string textOf(const Json& json)
-{
-    return json.dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
 } // namespace
 
 MotionSpaceWork::MotionSpaceWork(std::shared_ptr<SequenceOpener> opener, MotionSpaceEntry entry)
@@ -207,7 +202,7 @@ std::string MotionSpaceWork::settings() const
     parts.character.clear();
     for (PartCurveEntry& curve : parts.curves)
         curve.points.clear();
-    std::string text = textOf(writeFields(entry)) + textOf(writeFields(parts));
+    std::string text = settingsText(entry) + settingsText(parts);
     text += templateFrame().sequence + ' ' + std::to_string(templateFrame().frame.value);
     for (const std::string& name : sequences()) {
         if (const SequenceEntry* sequence = findSequence(project(), name))

@@ -10,6 +10,7 @@
 #include "model/synthesis/clips/rootposes.h"
 #include "model/transition/posedistance.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace quadrille {

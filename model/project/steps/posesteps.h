@@ -5,7 +5,7 @@
 #include "model/project/steps/charactersteps.h"
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace quadrille {
 

@@ -48,7 +48,7 @@ public:
         entry.name.clear();
         entry.clip.clear();
         entry.cameras.clear();
-        std::string text = writeFields(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
+        std::string text = settingsText(entry);
         const CoordinateSystem& axes = m_opener->project().settings.axes;
         text += std::string(toString(axes.up)) + " " + std::to_string(axes.metresPerUnit);
         if (const SequenceEntry* sequence = sequenceOfClip())

@@ -9,6 +9,7 @@
 #include "model/sequence/contacts.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace quadrille {
 

@@ -40,7 +40,7 @@ std::string TransferWork::settings() const
     entry.target.sequence.clear();
     if (entry.reference)
         entry.reference->sequence.clear();
-    std::string text = writeFields(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string text = settingsText(entry);
     for (const std::string& name : sequences()) {
         if (const SequenceEntry* sequence = findSequence(project(), name))
             text += sequenceSettings(project(), *sequence) + contactSettings(*sequence);

@@ -262,10 +262,7 @@ std::string VariationWork::movementSettings() const
     BodyPartsEntry parts = m_parts;
     for (PartCurveEntry& curve : parts.curves)
         curve.points.clear();
-    const auto textOf = [](const Json& json) {
-        return json.dump(-1, ' ', true, Json::error_handler_t::replace);
-    };
-    std::string settings = textOf(writeFields(learned)) + textOf(writeFields(parts));
+    std::string settings = settingsText(learned) + settingsText(parts);
     for (const std::string& name : sequences()) {
         if (const SequenceEntry* sequence = findSequence(project(), name))
             settings += sequenceSettings(project(), *sequence) + contactSettings(*sequence);

@@ -19,11 +19,6 @@ namespace quadrille {
 
 namespace {
 
-std::string settingsText(const VariationEntry& entry)
-{
-    return writeFields(entry).dump(-1, ' ', true, Json::error_handler_t::replace);
-}
-
 /// All samples of an entry with the settings of their chains.
 std::string samplesSettings(const VariationEntry& entry)
 {

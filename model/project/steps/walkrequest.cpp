@@ -11,6 +11,7 @@
 #include "model/project/steps/pathrequest.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 namespace quadrille {

@@ -3,6 +3,7 @@
 #include "model/project/checks/validate.h"
 #include "model/project/document/findentry.h"
 #include "model/project/exports/exportentry.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/media/media.h"
 #include "model/project/store/clipresult.h"
 #include "model/project/store/resultplaces.h"
@@ -325,7 +326,7 @@ TEST_F(AnimationSteps, TakeSoundAndCameraIntoVideosWithoutMakingTheClipAgain)
     video.name = "film";
     video.what = "animations/dance";
     video.path = "film.mp4";
-    video.picture = {{"width", 64}, {"height", 48}};
+    video.picture = UnknownKeys({{"width", 64}, {"height", 48}});
     project.exports = {video};
     computed(run("exports"));
     const std::string plain = textOf(folder / "film.mp4");
@@ -345,7 +346,7 @@ TEST_F(AnimationSteps, TakeSoundAndCameraIntoVideosWithoutMakingTheClipAgain)
     animation().camera = {{.key = {.time = 0, .target = {2, 0, 0.5}, .distance = 8}}};
     EXPECT_THAT(computed(run("exports")), ElementsAre("exports/film"));
     // An export that says itself what the camera does follows no keys.
-    project.exports.front().picture["camera"] = "fixed";
+    project.exports.front().picture.set("camera", "fixed");
     EXPECT_TRUE(cameraKeysOf(project, project.exports.front()).empty());
     computed(run("exports"));
     animation().camera.front().key.distance = 9;
@@ -358,7 +359,7 @@ TEST_F(AnimationSteps, StartSoundAndCameraWithTheFramesThatAreWritten)
     pictures.name = "pictures";
     pictures.what = "animations/dance";
     pictures.path = "out/p.png";
-    pictures.picture = {{"width", 64}, {"height", 48}};
+    pictures.picture = UnknownKeys({{"width", 64}, {"height", 48}});
     CameraKey still{.time = 0, .target = {2, 0, 0.5}, .distance = 8};
     animation().camera = {{.key = still}, {.key = {.time = 0.5, .target = {2, 0, 0.5}, .distance = 2}}};
     ExportEntry part = pictures;

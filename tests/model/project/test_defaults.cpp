@@ -3,6 +3,7 @@
 #include "model/graph/comparison.h"
 #include "model/project/fields/pictureoptions.h"
 #include "model/project/file/projectjson.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/steps/walkrequest.h"
 #include "tests/model/project/fullproject.h"
 

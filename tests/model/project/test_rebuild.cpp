@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/core/contenthash.h"
 #include "model/core/mediacache.h"
+#include "model/project/json/jsontext.h"
 #include "model/project/results/rebuild.h"
 #include "model/project/store/resultplaces.h"
 #include "model/project/store/resultstore.h"

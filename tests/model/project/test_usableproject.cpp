@@ -92,8 +92,10 @@ TEST(UsableProject, ACorrectedEntryBringsBackWhatNeedsIt)
 {
     Project project = readUsableProject(withSlash, "p.quadrille").project;
     std::vector<BrokenEntry> broken = brokenEntries(project);
-    broken[0].json["name"] = "take 1";
-    broken[1].json["constraints"][0]["sequence"] = "take 1";
+    broken[0].json.set("name", "take 1");
+    Json constraints = broken[1].json.json()["constraints"];
+    constraints[0]["sequence"] = "take 1";
+    broken[1].json.set("constraints", constraints);
     setBrokenEntries(project, broken);
     const Project corrected = withBrokenReadAgain(project, "p.quadrille");
     EXPECT_TRUE(brokenEntries(corrected).empty());

@@ -5,6 +5,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/paths.h"
 #include "model/project/document/problemtexts.h"
+#include "model/project/json/jsontext.h"
 #include "tests/model/project/fullproject.h"
 
 #include <gmock/gmock.h>
@@ -243,7 +244,7 @@ TEST(Validate, ClipsOfSectionsThatAreNotKnownAreNoError)
     Project project;
     project.sequences = {sequenceOf("a", "clip:motion_spaces/dance")};
     EXPECT_THAT(onlyProblem(project), HasSubstr("no section “motion_spaces”"));
-    project.unknown["motion_spaces"] = UnknownKeys::array();
+    project.unknown.set("motion_spaces", Json::array());
     EXPECT_THAT(onlyProblem(project), HasSubstr("cannot be used by this version"));
     EXPECT_FALSE(hasErrors(validate(project)));
 }
