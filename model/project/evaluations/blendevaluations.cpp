@@ -3,12 +3,12 @@
 #include "model/evaluation/trajectories.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/posesteps.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/transition/posedistance.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
 
@@ -121,11 +121,11 @@ BuildStep trajectoryStep(const CharacterInputs& work, const EvaluationEntry& eva
     settings.length = TransitionLength::Path;
     BuildStep step = evaluationStep(work, evaluation);
     step.version = 2;
-    nlohmann::json text{evaluation.sequences, work.sequences, settings.longest(), settings.slope,
-                        settings.cost == TransitionCost::Sum ? "sum" : "mean"};
-    for (nlohmann::json& value : distanceText(work.graph.pose))
-        text.push_back(std::move(value));
-    step.settings = work.settings + text.dump();
+    std::vector<JsonLine> list{evaluation.sequences, work.sequences, settings.longest(), settings.slope,
+                               settings.cost == TransitionCost::Sum ? "sum" : "mean"};
+    for (JsonLine& setting : distanceSettings(work.graph.pose))
+        list.push_back(std::move(setting));
+    step.settings = work.settings + jsonLine(list);
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.compute = [=](const StepContext&, const Progress& progress) {
         const BlendedSequences blended = blendedSequences(work, evaluation, progress.part(0, 0.4));

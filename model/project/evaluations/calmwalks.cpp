@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/evaluation/walkmeasures.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/animate.h"
 #include "model/project/steps/walkrequest.h"
 #include "model/project/store/tablebuilder.h"
-
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -44,8 +43,8 @@ BuildStep walksStep(const CharacterInputs& work, const EvaluationEntry& evaluati
     animation.character = work.character;
     BuildStep step = evaluationStep(work, evaluation);
     step.version = 15;
-    step.settings = work.settings + nlohmann::json({project.fps, metres, work.sequences}).dump() +
-                    walkSettings(animation, work);
+    step.settings =
+        work.settings + jsonLine({project.fps, metres, work.sequences}) + walkSettings(animation, work);
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = CharacterGraph::inputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {

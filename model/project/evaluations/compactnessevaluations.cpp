@@ -3,10 +3,10 @@
 #include "model/evaluation/compactness.h"
 #include "model/project/evaluations/appearanceevaluations.h"
 #include "model/project/evaluations/picturemeasure.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -73,7 +73,7 @@ BuildStep compactnessStep(const AppearanceInputs& inputs, const EvaluationEntry&
 {
     const std::int64_t cameras = evaluation.count.value_or(usualCameras);
     BuildStep step = appearanceStep(inputs, evaluation);
-    step.settings = nlohmann::json({inputs.work.opener->project().settings.axes.up, cameras}).dump();
+    step.settings = jsonLine({static_cast<int>(inputs.work.opener->project().settings.axes.up), cameras});
     step.compute = [=, text = step.settings](const StepContext& context, const Progress& progress) {
         // Both figures are of one computation.
         const auto rows = context.shared<const std::vector<CompactnessRow>>(

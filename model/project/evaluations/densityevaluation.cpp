@@ -4,13 +4,12 @@
 #include "model/graph/essentialgraph.h"
 #include "model/graph/motiongraph.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/synthesis/clips/stepcosts.h"
 #include "model/synthesis/finishing/footdrift.h"
 #include "model/synthesis/quality/liveliness.h"
-
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -98,10 +97,8 @@ BuildStep densityStep(const CharacterInputs& work, const EvaluationEntry& evalua
         evaluation.alphas.empty() ? std::vector{work.graph.alpha} : evaluation.alphas;
     const bool isLively = work.graph.costScale == CostScale::Liveliness;
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings =
-        nlohmann::json({alphas, costSettings(work.graph), work.sequences, work.opener->project().settings.fps,
-                        static_cast<int>(work.graph.smoothing)})
-            .dump();
+    step.settings = jsonLine({alphas, costSettings(work.graph), work.sequences,
+                              work.opener->project().settings.fps, static_cast<int>(work.graph.smoothing)});
     step.inputs = CharacterGraph::inputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);

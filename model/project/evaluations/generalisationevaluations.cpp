@@ -3,10 +3,10 @@
 #include "model/evaluation/generalisation.h"
 #include "model/project/evaluations/appearanceevaluations.h"
 #include "model/project/evaluations/picturemeasure.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -89,9 +89,8 @@ BuildStep generalisationStep(const AppearanceInputs& inputs, const EvaluationEnt
                                           .draws = evaluation.count.value_or(usualDraws),
                                           .seed = static_cast<std::uint64_t>(evaluation.seed)};
     BuildStep step = appearanceStep(inputs, evaluation);
-    step.settings =
-        nlohmann::json({inputs.work.opener->project().settings.axes.up, settings.draws, settings.seed})
-            .dump();
+    step.settings = jsonLine(
+        {static_cast<int>(inputs.work.opener->project().settings.axes.up), settings.draws, settings.seed});
     step.compute = [=, text = step.settings](const StepContext& context, const Progress& progress) {
         // Both figures are of one computation.
         const auto rows = context.shared<const std::vector<GeneralisationRow>>(

@@ -4,13 +4,13 @@
 #include "model/evaluation/shapechange.h"
 #include "model/project/document/findentry.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/media/referenceangles.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/transition/posedistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -151,7 +151,7 @@ BuildStep fig4Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
     const int count = static_cast<int>(evaluation.count.value_or(usualCount));
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings = work.settings + nlohmann::json({count, seed, work.sequences}).dump();
+    step.settings = work.settings + jsonLine({count, seed, work.sequences});
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = {work.stepName(graphstep::poseDistance)};
     step.compute = [=, input = step.inputs.front()](const StepContext& context, const Progress& progress) {
@@ -188,7 +188,7 @@ BuildStep table1Step(const CharacterInputs& work, const EvaluationEntry& evaluat
         return *findSequence(work.opener->project(), work.sequences[sequence]);
     };
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings = nlohmann::json(chosen).dump();
+    step.settings = JsonLine(chosen).text();
     step.files = [=](const Progress& progress) {
         auto files = work.files(progress);
         for (const std::size_t sequence : chosen)

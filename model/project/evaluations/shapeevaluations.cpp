@@ -5,10 +5,9 @@
 #include "model/evaluation/shapeappearance.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/evaluations/appearanceevaluations.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/appearanceposes.h"
 #include "model/project/store/tablebuilder.h"
-
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -49,7 +48,7 @@ BuildStep appearanceShapeStep(const AppearanceInputs& inputs, const EvaluationEn
 {
     const std::int64_t count = evaluation.count.value_or(usualShapes);
     BuildStep step = appearanceStep(inputs, evaluation);
-    step.settings = nlohmann::json({count}).dump();
+    step.settings = jsonLine({count});
     step.compute = [=](const StepContext& context, const Progress& progress) {
         constexpr std::int64_t fewestTextures = 2;
         const auto measured = measuredAppearance(inputs, fewestTextures, progress.part(0, 0.05));

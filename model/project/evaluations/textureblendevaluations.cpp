@@ -7,12 +7,12 @@
 #include "model/evaluation/textureblends.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/evaluations/appearanceevaluations.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/store/tablebuilder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace quadrille {
@@ -134,7 +134,7 @@ BuildStep fig22Step(const AppearanceInputs& inputs, const EvaluationEntry& evalu
     const std::int64_t count = evaluation.count.value_or(usualBlends);
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
     BuildStep step = appearanceStep(inputs, evaluation);
-    step.settings = nlohmann::json({count, seed}).dump();
+    step.settings = jsonLine({count, seed});
     step.compute = [=](const StepContext& context, const Progress& progress) {
         constexpr std::int64_t fewestTextures = 3;
         const auto measured = measuredAppearance(inputs, fewestTextures, progress.part(0, 0.02));
@@ -162,7 +162,7 @@ BuildStep appearanceInterpolationStep(const AppearanceInputs& inputs, const Eval
     const std::int64_t count = evaluation.count.value_or(usualBlends);
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
     BuildStep step = appearanceStep(inputs, evaluation);
-    step.settings = nlohmann::json({count, seed}).dump();
+    step.settings = jsonLine({count, seed});
     step.compute = [=](const StepContext& context, const Progress& progress) {
         constexpr std::int64_t fewestTextures = 3;
         constexpr std::array<std::int64_t, 4> distances{1, 2, 4, 8};

@@ -3,11 +3,10 @@
 #include "model/graph/comparison.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/graphtables.h"
 #include "model/transition/acceleration.h"
 #include "model/transition/transitioncomparison.h"
-
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -62,9 +61,8 @@ BuildStep fig7Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
     const double fps = work.opener->project().settings.fps;
     TransitionSettings settings = transitionSettings(work.graph, fps);
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings = work.settings + nlohmann::json({fps, settings.shortest(), settings.longest(),
-                                                    settings.cost == TransitionCost::Sum ? "sum" : "mean"})
-                                        .dump();
+    step.settings = work.settings + jsonLine({fps, settings.shortest(), settings.longest(),
+                                              settings.cost == TransitionCost::Sum ? "sum" : "mean"});
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = {work.stepName(graphstep::poseDistance)};
     step.compute = [=](const StepContext& context, const Progress& progress) {
@@ -115,9 +113,8 @@ BuildStep fig9Step(const CharacterInputs& work, const EvaluationEntry& evaluatio
     if (alphas.empty())
         alphas.assign(figure9Alphas.begin(), figure9Alphas.end());
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings = nlohmann::json({alphas, costSettings(work.graph), work.sequences,
-                                    static_cast<int>(work.graph.smoothing)})
-                        .dump();
+    step.settings =
+        jsonLine({alphas, costSettings(work.graph), work.sequences, static_cast<int>(work.graph.smoothing)});
     step.inputs = costInputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {
         const auto shared = costsOf(work, context);

@@ -3,6 +3,7 @@
 #include "model/evaluation/keyexperiment.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/evaluations/evaluationsteps.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/store/tablebuilder.h"
 #include "model/synthesis/quality/junctionreport.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -187,7 +187,7 @@ BuildStep table2Step(const CharacterInputs& work, const EvaluationEntry& evaluat
     const auto seed = static_cast<std::uint64_t>(evaluation.seed);
     const auto sequences = evaluation.sequences.empty() ? work.sequences : evaluation.sequences;
     BuildStep step = evaluationStep(work, evaluation);
-    step.settings = nlohmann::json({count, seed, sequences, work.sequences, work.graph.alpha}).dump();
+    step.settings = jsonLine({count, seed, sequences, work.sequences, work.graph.alpha});
     step.inputs = CharacterGraph::inputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {
         const CharacterGraph graph(work, context);
@@ -219,7 +219,7 @@ BuildStep junctionsStep(const CharacterInputs& work, const EvaluationEntry& eval
     const double fps = work.opener->project().settings.fps;
     BuildStep step = evaluationStep(work, evaluation);
     step.version = 9;
-    step.settings = work.settings + nlohmann::json({count, seed, fps, work.sequences}).dump();
+    step.settings = work.settings + jsonLine({count, seed, fps, work.sequences});
     step.files = [work](const Progress& progress) { return work.files(progress); };
     step.inputs = CharacterGraph::inputs(work);
     step.compute = [=](const StepContext& context, const Progress& progress) {

@@ -48,6 +48,15 @@ std::string sequenceSettings(const Project& project, const SequenceEntry& entry)
     return settingsJson(project, entry).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
+std::string sequenceSettings(const Project& project, const std::vector<std::string>& names)
+{
+    std::string settings;
+    for (const std::string& name : names)
+        settings += nlohmann::json(name).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
+                    sequenceSettings(project, *findSequence(project, name));
+    return settings;
+}
+
 std::string contactSettings(const SequenceEntry& entry)
 {
     nlohmann::json contacts = nlohmann::json::array();

@@ -4,11 +4,11 @@
 
 #include "model/core/freememory.h"
 #include "model/project/document/throwinvalid.h"
+#include "model/project/json/jsonline.h"
 #include "model/synthesis/clips/stepcosts.h"
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -71,7 +71,7 @@ CharacterGraph::CharacterGraph(const CharacterInputs& work, const StepContext& c
     steps.push_back(work.stepName(graphstep::rootPoses));
     const ProjectSettings& settings = work.opener->project().settings;
     const std::string others =
-        nlohmann::json({costSettings(work.graph), settings.fps, static_cast<int>(settings.axes.up)}).dump();
+        jsonLine({costSettings(work.graph), settings.fps, static_cast<int>(settings.axes.up)});
     m_tables = context.shared<const Tables>(steps, others, [&] {
         auto tables = std::make_shared<const Tables>(work, context);
         returnFreeMemory(); // of the results that they were made from

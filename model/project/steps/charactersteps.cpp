@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -155,7 +154,7 @@ TransitionCosts makeCosts(const CharacterInputs& work, const StepContext& contex
 std::shared_ptr<const TransitionCosts> costsOf(const CharacterInputs& work, const StepContext& context,
                                                const CostLooks& looks)
 {
-    return context.shared<const TransitionCosts>(costInputs(work), costSettings(work.graph).dump(), [&] {
+    return context.shared<const TransitionCosts>(costInputs(work), costSettings(work.graph).text(), [&] {
         return std::make_shared<const TransitionCosts>(makeCosts(work, context, looks));
     });
 }
@@ -166,10 +165,11 @@ sharedGraphs(const CharacterInputs& work, double alpha, const StepContext& conte
              const Progress& progress)
 {
     const std::vector<std::string> inputs = costInputs(work);
-    const nlohmann::json settings({costSettings(work.graph), static_cast<int>(work.graph.smoothing)});
-    return context.shared<const MeasuredGraphs>(inputs, nlohmann::json({settings, alpha}).dump(), [&] {
+    const JsonLine settings =
+        std::vector<JsonLine>{costSettings(work.graph), static_cast<int>(work.graph.smoothing)};
+    return context.shared<const MeasuredGraphs>(inputs, jsonLine({settings, alpha}), [&] {
         return std::make_shared<const MeasuredGraphs>(
-            make(context.shared<const CostMinima>(inputs, settings.dump(), [&] {
+            make(context.shared<const CostMinima>(inputs, settings.text(), [&] {
                 return std::make_shared<const CostMinima>(
                     costMinima(*costsOf(work, context), work.graph.smoothing, progress));
             })));
@@ -206,10 +206,11 @@ std::vector<std::string> costInputs(const CharacterInputs& work)
     return inputs;
 }
 
-nlohmann::json costSettings(const GraphEntry& graph)
+JsonLine costSettings(const GraphEntry& graph)
 {
-    return {graph.greatestDistance.value_or(0),
-            graph.costScale == CostScale::Liveliness ? "liveliness" : "none", graph.steps.contacts};
+    return std::vector<JsonLine>{graph.greatestDistance.value_or(0),
+                                 graph.costScale == CostScale::Liveliness ? "liveliness" : "none",
+                                 graph.steps.contacts};
 }
 
 } // namespace quadrille

@@ -4,12 +4,12 @@
 
 #include "model/graph/measuredgraphs.h"
 #include "model/graph/transitioncosts.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/buildstep.h"
 #include "model/transition/characterframes.h"
 
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -139,6 +139,6 @@ std::shared_ptr<const MeasuredGraphs> graphsAt(const CharacterInputs& work, doub
 /// Pose distances, transitions, and what else their costs depend on.
 std::vector<std::string> costInputs(const CharacterInputs& work);
 /// The settings of `costsOf` that no step before knows, for BuildStep::settings.
-nlohmann::json costSettings(const GraphEntry& graph);
+JsonLine costSettings(const GraphEntry& graph);
 
 } // namespace quadrille

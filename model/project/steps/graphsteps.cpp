@@ -4,6 +4,7 @@
 #include "model/core/mediacache.h"
 #include "model/project/document/lengthunit.h"
 #include "model/project/document/madeclips.h"
+#include "model/project/json/jsonline.h"
 #include "model/project/steps/charactergraph.h"
 #include "model/project/steps/graphstepresults.h"
 #include "model/project/steps/graphtables.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -43,11 +43,10 @@ BuildStep transitionStep(const CharacterInputs& work, const BuildStep& distances
     const StepWeights weights = work.graph.steps;
     const double fps = settings.fps;
     const UpAxis up = work.opener->project().settings.axes.up;
-    step.settings = nlohmann::json({settings.shortest(), settings.longest(), settings.shortensInShortTakes,
-                                    settings.slope, weights.contacts, weights.velocity, fps,
-                                    settings.cost == TransitionCost::Sum ? "sum" : "mean",
-                                    settings.length == TransitionLength::Path ? "path" : "windows"})
-                        .dump();
+    step.settings = jsonLine({settings.shortest(), settings.longest(), settings.shortensInShortTakes,
+                              settings.slope, weights.contacts, weights.velocity, fps,
+                              settings.cost == TransitionCost::Sum ? "sum" : "mean",
+                              settings.length == TransitionLength::Path ? "path" : "windows"});
     step.inputs = {distances.name};
     if (!weights.isNothing())
         step.inputs.push_back(work.stepName(graphstep::rootPoses));
@@ -89,7 +88,7 @@ BuildStep driftStep(const CharacterInputs& work)
     step.version = 3;
     const double fps = work.opener->project().settings.fps;
     const UpAxis up = work.opener->project().settings.axes.up;
-    step.settings = nlohmann::json({fps}).dump();
+    step.settings = jsonLine({fps});
     step.inputs = {work.stepName(graphstep::poseDistance), work.stepName(graphstep::rootPoses),
                    work.stepName(graphstep::transitions)};
     step.compute = [=, inputs = step.inputs](const StepContext& context, const Progress& progress) {
@@ -142,9 +141,8 @@ BuildStep graphStep(const CharacterInputs& work)
 {
     BuildStep step = work.step(graphstep::graphs);
     step.version = 4;
-    step.settings = nlohmann::json({work.graph.alpha, costSettings(work.graph), work.sequences,
-                                    static_cast<int>(work.graph.smoothing)})
-                        .dump();
+    step.settings = jsonLine(
+        {work.graph.alpha, costSettings(work.graph), work.sequences, static_cast<int>(work.graph.smoothing)});
     step.inputs = costInputs(work);
     step.compute = [work, graph = work.graph, sequences = work.sequences](const StepContext& context,
                                                                           const Progress& progress) {
@@ -176,7 +174,7 @@ BuildStep graphStep(const CharacterInputs& work)
 BuildStep overviewStep(const CharacterInputs& work)
 {
     BuildStep step = work.step(graphstep::overview);
-    step.settings = costSettings(work.graph).dump();
+    step.settings = costSettings(work.graph).text();
     step.inputs = costInputs(work);
     step.compute = [work](const StepContext& context, const Progress&) {
         const auto costs = costsOf(work, context);
@@ -193,7 +191,7 @@ BuildStep edgeStep(const CharacterInputs& work)
     step.inputs = costInputs(work);
     step.inputs.push_back(work.stepName(graphstep::rootPoses));
     step.inputs.push_back(work.stepName(graphstep::graphs));
-    step.settings = costSettings(work.graph).dump();
+    step.settings = costSettings(work.graph).text();
     step.compute = [work, graphs = step.inputs.back()](const StepContext& context, const Progress& progress) {
         const auto resultOf = [&](const char* name) { return context.resultOf(work.stepName(name)); };
         const ProjectSettings& settings = work.opener->project().settings;

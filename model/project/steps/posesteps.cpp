@@ -10,7 +10,6 @@
 #include "model/synthesis/clips/rootposes.h"
 #include "model/transition/posedistance.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace quadrille {
@@ -85,7 +84,7 @@ BuildStep distanceStep(const CharacterInputs& work, const std::string& name,
 {
     BuildStep step = poseStep(work, name);
     step.version = 3;
-    step.settings += distanceText(settings).dump();
+    step.settings += jsonLine(distanceSettings(settings));
     if (step.inputs.empty()) // else frames are not known before
         step.bytes = bytesOfTables(work, 1);
     step.compute = [=](const StepContext&, const Progress& progress) {
@@ -143,12 +142,12 @@ std::vector<BuildStep> poseSteps(const CharacterInputs& work)
             rootPosesStep(work)};
 }
 
-nlohmann::json distanceText(const PoseDistanceSettings& settings)
+std::vector<JsonLine> distanceSettings(const PoseDistanceSettings& settings)
 {
-    nlohmann::json text{isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight};
+    std::vector<JsonLine> list{isSurface(settings) ? "surface" : "euclidean", settings.stretchWeight};
     if (settings.triangles)
-        text.push_back(*settings.triangles);
-    return text;
+        list.emplace_back(*settings.triangles);
+    return list;
 }
 
 std::function<std::uint64_t(const Progress&)> bytesOfTables(const CharacterInputs& work, double tables)

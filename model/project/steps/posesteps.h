@@ -5,7 +5,6 @@
 #include "model/project/steps/charactersteps.h"
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 
 namespace quadrille {
 
@@ -13,8 +12,8 @@ namespace quadrille {
 /// poses, which the first makes along with its own where they are wanted, too.
 std::vector<BuildStep> poseSteps(const CharacterInputs& work);
 
-/// What distances of poses depend on beside the frames, a list.
-nlohmann::json distanceText(const PoseDistanceSettings& settings);
+/// What distances of poses depend on beside the frames.
+std::vector<JsonLine> distanceSettings(const PoseDistanceSettings& settings);
 
 /// Of so many tables of all pairs of frames, for BuildStep::bytes.
 std::function<std::uint64_t(const Progress&)> bytesOfTables(const CharacterInputs& work, double tables);

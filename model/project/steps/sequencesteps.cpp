@@ -9,7 +9,6 @@
 #include "model/sequence/contacts.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace quadrille {
 
@@ -122,9 +121,7 @@ BuildStep framesStep(const Opener& opener, const std::string& character)
     step.name = project.characters.size() > 1 ? "frames/" + character : "frames";
     step.character = character;
     step.inputs = clipInputs(project, names);
-    for (const std::string& name : names)
-        step.settings += nlohmann::json(name).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) +
-                         sequenceSettings(project, *findSequence(project, name));
+    step.settings = sequenceSettings(project, names);
     step.files = [opener, names](const Progress& progress) {
         std::vector<std::filesystem::path> files;
         for (const std::string& name : names) {

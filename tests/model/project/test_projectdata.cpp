@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/json/jsonline.h"
 #include "model/project/json/jsontext.h"
 #include "model/project/store/dataitem.h"
 #include "tests/model/project/testproject.h"
 
 #include <cmath>
+#include <limits>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -76,6 +78,17 @@ TEST(WriteData, TablesBecomeStructuredArrays)
     EXPECT_NE(bytes.find("[('sequence', '<U5'), ('frame', '<i8'), ]"), std::string::npos);
     const std::size_t rowBytes = 5 * 4 + 8;
     EXPECT_EQ((bytes.size() - 2 * rowBytes) % 64, 0U);
+}
+
+TEST(JsonLine, IsWhatTheLibraryOfJsonWrites)
+{
+    const std::vector<std::string> texts{"a \"b\" \\", "é"};
+    const std::vector<double> numbers{0, -0.0, 0.1, 1e300, 25};
+    constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+    const std::string text = jsonLine({texts, numbers, "x", true, 3, -4.0, most, std::vector<int>()});
+    EXPECT_EQ(text, Json({texts, numbers, "x", true, 3, -4.0, most, std::vector<int>()}).dump());
+    EXPECT_EQ(jsonLine({0.5}), "[0.5]");
+    EXPECT_EQ(jsonLine({JsonLine(texts)}), R"([["a \"b\" \\","é"]])");
 }
 
 TEST(WriteData, JsonHasNullWhereThereIsNoNumber)
