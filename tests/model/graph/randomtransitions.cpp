@@ -60,13 +60,19 @@ std::vector<double> bellmanFord(const Table<double>& weights, NodeIndex from, No
     const auto nodes = static_cast<NodeIndex>(weights.rows());
     std::vector<double> costs(static_cast<std::size_t>(nodes), unreachable);
     costs[static_cast<std::size_t>(from)] = 0;
-    for (NodeIndex round = 1; round < nodes; ++round) {
+    bool isCheaper = true;
+    for (NodeIndex round = 1; isCheaper && round < nodes; ++round) {
+        isCheaper = false;
         for (NodeIndex i = 0; i < nodes; ++i) {
             for (NodeIndex j = 0; j < nodes; ++j) {
                 if (i == j || (i == from && j == leftOutTo))
                     continue;
                 double& known = costs[static_cast<std::size_t>(j)];
-                known = std::min(known, costs[static_cast<std::size_t>(i)] + weights(i, j));
+                const double found = costs[static_cast<std::size_t>(i)] + weights(i, j);
+                if (found < known) {
+                    known = found;
+                    isCheaper = true;
+                }
             }
         }
     }
