@@ -29,15 +29,49 @@ std::array<float, windowWidth> windowWeights()
     return result;
 }
 
-/// The moments of two pictures, filtered along rows; the rows of one window are kept.
+/// Pixels of a picture, from first to behind the last.
+struct PixelBox
+{
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+};
+
+/// Around the pixels of a mask; outside of it pixels count as little as outside of the picture.
+PixelBox boxOf(std::span<const std::uint8_t> mask, int width, int height)
+{
+    if (mask.empty())
+        return {0, 0, width, height};
+    PixelBox box{width, height, 0, 0};
+    for (int y = 0; y < height; ++y) {
+        const auto row = mask.subspan(static_cast<std::size_t>(y) * static_cast<std::size_t>(width),
+                                      static_cast<std::size_t>(width));
+        const auto counts = [](std::uint8_t pixel) { return pixel != 0; };
+        const auto first = std::ranges::find_if(row, counts);
+        if (first == row.end())
+            continue;
+        const auto behind = std::find_if(row.rbegin(), row.rend(), counts).base();
+        box.left = std::min(box.left, static_cast<int>(first - row.begin()));
+        box.right = std::max(box.right, static_cast<int>(behind - row.begin()));
+        box.top = std::min(box.top, y);
+        box.bottom = y + 1;
+    }
+    return box;
+}
+
+/// The moments of two pictures in a box, filtered along rows; the rows of one window are kept.
 class FilteredRows
 {
 public:
-    FilteredRows(const Image& reference, const Image& picture, std::span<const std::uint8_t> mask)
+    /// \pre The box is not empty, and all of the mask lies in it.
+    FilteredRows(const Image& reference, const Image& picture, std::span<const std::uint8_t> mask,
+                 const PixelBox& box)
         : m_reference(reference)
         , m_picture(picture)
         , m_mask(mask)
-        , m_width(static_cast<std::size_t>(reference.width))
+        , m_box(box)
+        , m_width(static_cast<std::size_t>(box.right - box.left))
         , m_stride(m_width + windowWidth - 1)
         , m_padded(momentCount * m_stride)
         , m_kept(windowWidth * rowSize())
@@ -49,7 +83,8 @@ public:
     /// \pre Rows are made in their order.
     void make(int y)
     {
-        const auto first = static_cast<std::size_t>(y) * m_width;
+        const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_reference.width) +
+                           static_cast<std::size_t>(m_box.left);
         pixelMoments(m_reference.pixels.data() + 4 * first, m_picture.pixels.data() + 4 * first,
                      m_mask.empty() ? nullptr : m_mask.data() + first, static_cast<int>(m_width),
                      m_padded.data() + windowReach, static_cast<int>(m_stride));
@@ -57,13 +92,13 @@ public:
             filterRow(m_padded.data() + m * m_stride, static_cast<int>(m_width), m_weights.data(),
                       m_kept.data() + slot(y) + m * m_width);
     }
-    /// SSIM of a row. \pre All rows of its windows were made.
+    /// SSIM of a row of the box. \pre All rows of its windows were made.
     void similarity(int y, float* values)
     {
         std::array<const float*, windowWidth> rows;
         for (int k = 0; k < windowWidth; ++k) {
             const int row = y + k - windowReach;
-            const bool isInside = row >= 0 && row < m_reference.height;
+            const bool isInside = row >= m_box.top && row < m_box.bottom;
             rows[static_cast<std::size_t>(k)] = isInside ? m_kept.data() + slot(row) : m_nothing.data();
         }
         similarityOfRow(rows.data(), static_cast<int>(m_width), m_weights.data(), m_moments.data(), values);
@@ -76,12 +111,13 @@ private:
     const Image& m_reference;
     const Image& m_picture;
     std::span<const std::uint8_t> m_mask;
+    PixelBox m_box;
     std::size_t m_width;
     std::size_t m_stride;
     std::array<float, windowWidth> m_weights = windowWeights();
     std::vector<float> m_padded;  ///< moments × stride of one row, zero beyond both ends
     std::vector<float> m_kept;    ///< windowWidth × moments × width
-    std::vector<float> m_nothing; ///< a row outside of the picture
+    std::vector<float> m_nothing; ///< a row outside of the box
     std::vector<float> m_moments; ///< of the windows about a row
 };
 
@@ -93,13 +129,15 @@ std::vector<float> similarityMap(const Image& reference, const Image& picture,
     assert(reference.width == picture.width && reference.height == picture.height);
     assert(mask.empty() || 4 * mask.size() == reference.pixels.size());
     std::vector<float> map(reference.pixels.size() / 4);
-    FilteredRows rows(reference, picture, mask);
-    int made = 0;
-    for (int y = 0; y < reference.height; ++y) {
-        for (; made < std::min(reference.height, y + windowReach + 1); ++made)
+    const PixelBox box = boxOf(mask, reference.width, reference.height);
+    if (box.left >= box.right)
+        return map;
+    FilteredRows rows(reference, picture, mask, box);
+    int made = box.top;
+    for (int y = box.top; y < box.bottom; ++y) {
+        for (; made < std::min(box.bottom, y + windowReach + 1); ++made)
             rows.make(made);
-        rows.similarity(y,
-                        map.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.width));
+        rows.similarity(y, map.data() + std::ptrdiff_t{y} * reference.width + box.left);
     }
     for (std::size_t i = 0; i < mask.size(); ++i)
         map[i] = mask[i] != 0 ? map[i] : 0;

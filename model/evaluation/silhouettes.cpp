@@ -47,8 +47,13 @@ Silhouettes::Silhouettes(Positions positions, const TopologyData& topology, std:
     , m_normals(positions.size(), Vec3f::Zero())
 {
     const auto scaled = std::make_shared<const MipTexture>(texture);
-    for (const Camera& camera : m_cameras)
-        m_pictures.push_back(render(camera, scaled));
+    for (const Camera& camera : m_cameras) {
+        const Image& picture = m_pictures.emplace_back(render(camera, scaled));
+        std::vector<std::uint8_t>& mask = m_masks.emplace_back();
+        mask.reserve(picture.pixels.size() / 4);
+        for (std::size_t alpha = 3; alpha < picture.pixels.size(); alpha += 4)
+            mask.push_back(picture.pixels[alpha]);
+    }
 }
 
 PictureQuality Silhouettes::compare(const std::shared_ptr<const Image>& texture,
@@ -58,12 +63,8 @@ PictureQuality Silhouettes::compare(const std::shared_ptr<const Image>& texture,
     PictureQuality sum{.similarity = 0};
     for (std::size_t i = 0; i < m_cameras.size(); ++i) {
         progress.report(static_cast<std::int64_t>(i), std::ssize(m_cameras));
-        const Image& reference = m_pictures[i];
-        std::vector<std::uint8_t> mask;
-        mask.reserve(reference.pixels.size() / 4);
-        for (std::size_t alpha = 3; alpha < reference.pixels.size(); alpha += 4)
-            mask.push_back(reference.pixels[alpha]);
-        const PictureQuality quality = pictureQuality(reference, render(m_cameras[i], scaled), mask);
+        const PictureQuality quality =
+            pictureQuality(m_pictures[i], render(m_cameras[i], scaled), m_masks[i]);
         sum.similarity += quality.similarity;
         sum.meanSquaredError += quality.meanSquaredError;
     }

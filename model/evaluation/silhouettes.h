@@ -41,6 +41,7 @@ private:
     UpAxis m_up;
     std::vector<Vec3f> m_normals; ///< of no use without light, but asked for
     std::vector<Image> m_pictures;
+    std::vector<std::vector<std::uint8_t>> m_masks; ///< of the pictures: where the body is seen
 };
 
 } // namespace quadrille

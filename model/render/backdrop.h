@@ -26,6 +26,11 @@ public:
     Backdrop(const RenderOptions& options, const Projection& projection, const Camera& camera,
              const GroundPlane& ground, ShadowMap shadow);
 
+    /// Whether pixels without a figure are transparent, all of them.
+    bool isNothing() const
+    {
+        return !m_isSeen && m_options.background == RenderOptions::Background::Transparent;
+    }
     /// Nearness of the ground in the middle of a sample; 0 where it is not seen.
     float groundNearness(int sampleX, int sampleY) const;
     /// What is seen in a pixel where no figure is.

@@ -196,8 +196,12 @@ float ditherThreshold(int x, int y)
 /// \param dither where smooth gradients would show steps.
 void store(const LinearPixel& pixel, bool dither, int x, int y, std::uint8_t* out)
 {
+    if (pixel.alpha == 0) {
+        std::fill_n(out, 4, std::uint8_t{0});
+        return;
+    }
     const SrgbTables& tables = SrgbTables::instance();
-    const float scale = pixel.alpha > 0 ? 1 / pixel.alpha : 0.0F;
+    const float scale = 1 / pixel.alpha;
     for (int i = 0; i < 3; ++i) {
         const float value = pixel.color[i] * scale;
         out[i] = dither ? static_cast<std::uint8_t>(tables.toSrgbFine(value) + ditherThreshold(x, y))
@@ -222,13 +226,16 @@ public:
 
     void paintTile(int tile, TileBuffer& buffer) const
     {
-        drawTile(m_scene, tile, buffer, static_cast<float>(1 / m_projection.farDistance));
         const int left = tile % m_scene.tilesAcross * tilePixels;
         const int top = tile / m_scene.tilesAcross * tilePixels;
         const int right = std::min(left + tilePixels, m_options.width);
         const int bottom = std::min(top + tilePixels, m_options.height);
         const auto t = static_cast<std::size_t>(tile);
         const bool isEmpty = m_scene.tileStarts[t] == m_scene.tileStarts[t + 1];
+        if (isEmpty && m_backdrop.isNothing())
+            return; // as pictures begin
+        if (!isEmpty)
+            drawTile(m_scene, tile, buffer, static_cast<float>(1 / m_projection.farDistance));
         Patch patch;
         for (int y = top; y < bottom; ++y) {
             for (int x = left; x < right; ++x) {
@@ -253,9 +260,8 @@ private:
         const int samples = m_options.supersampling;
         const int firstX = pixelX * samples;
         const int firstY = pixelY * samples;
-        const Vec3d ray = m_projection.ray(firstX + 0.5 * samples, firstY + 0.5 * samples);
-        const Vec3f toEye = (ray / -std::sqrt(ray.squaredNorm())).cast<float>();
         LinearPixel pixel;
+        Vec3f toEye = Vec3f::Zero();
         int hits = 0;
         for (int y = firstY; y < firstY + samples; ++y) {
             for (int x = firstX; x < firstX + samples; ++x) {
@@ -264,10 +270,13 @@ private:
                 if (item == ScreenTriangle::noPiece ||
                     buffer.nearness[sample] < m_backdrop.groundNearness(x, y))
                     continue;
+                if (hits++ == 0) {
+                    const Vec3d ray = m_projection.ray(firstX + 0.5 * samples, firstY + 0.5 * samples);
+                    toEye = (ray / -std::sqrt(ray.squaredNorm())).cast<float>();
+                }
                 if (patch.item != item)
                     m_painter.preparePatch(item, patch);
                 pixel.color += m_painter.paint(patch, x, y, toEye);
-                ++hits;
             }
         }
         const float share = 1.0F / static_cast<float>(samples * samples);
