@@ -7,7 +7,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <set>
+#include <string>
 
 namespace quadrille::test {
 
@@ -18,21 +18,17 @@ std::unique_ptr<RealCharacter> readRealCharacter()
     const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
     if (!std::filesystem::exists(folder))
         return nullptr;
-    std::set<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() == ".pc2")
-            files.insert(entry.path());
-    }
     ImportOptions options;
     options.mesh = folder / "mesh.obj";
     options.fps = 30;
     std::vector<MeshSequence> sequences;
     std::map<std::string, WalkSpan> takes;
     NodeIndex frames = 0;
-    for (const std::filesystem::path& file : files) {
-        sequences.push_back(openSequences(file, options).sequences.front());
+    for (const char* take : {"dance_1", "jump_long", "jump_low", "kick_1", "reach_high", "run_1", "run_2",
+                             "sit_1", "walk_1", "walk_slow", "walk_turn_left_1", "walk_turn_right_1"}) {
+        sequences.push_back(openSequences(folder / (std::string(take) + ".pc2"), options).sequences.front());
         const auto count = static_cast<NodeIndex>(sequences.back().frameCount());
-        takes[file.stem().string()] = {frames, frames + count - 1};
+        takes[take] = {frames, frames + count - 1};
         frames += count;
     }
     const CharacterFrames character(sequences);

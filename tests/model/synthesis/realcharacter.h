@@ -11,7 +11,7 @@
 
 namespace quadrille::test {
 
-/// The 21 takes of rb_m04, 1,150 frames, with all that walks are made from.
+/// Takes of rb_m04, those that walks are asked for and some to turn by, with all that walks are made from.
 struct RealCharacter
 {
     static constexpr double alpha = 0.01;
