@@ -35,7 +35,7 @@ class Cli : public ::testing::Test
 protected:
     Outcome run(const std::vector<std::string>& arguments) const
     {
-        return runQuadrille(arguments, folder.path());
+        return runCopied(arguments, folder.path());
     }
     Json info(const std::vector<std::string>& paths) const
     {

@@ -21,6 +21,9 @@ struct Outcome
 /// Runs the built `quadrille` in a folder and waits for it.
 Outcome runQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
+/// Does what it does without starting it: loading its libraries takes longer than most of what tests ask for.
+Outcome runCopied(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+
 /// Starts it, sends SIGINT once `isTime` says so, and waits for it.
 Outcome interruptQuadrille(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                            const std::function<bool()>& isTime);

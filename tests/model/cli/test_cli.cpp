@@ -14,7 +14,10 @@ using ::testing::StartsWith;
 
 TEST_F(Cli, SaysItsVersionAndHelps)
 {
-    EXPECT_THAT(run({"--version"}).out, StartsWith("quadrille "));
+    const Outcome built = runQuadrille({"--version"}, folder.path());
+    EXPECT_EQ(built.status, 0);
+    EXPECT_THAT(built.out, StartsWith("quadrille "));
+    EXPECT_EQ(run({"--version"}).out, built.out);
     for (const char* command : {"info", "convert", "sample", "import", "check", "rebuild", "data"}) {
         const Outcome help = run({command, "--help"});
         EXPECT_EQ(help.status, 0) << command;
@@ -48,6 +51,7 @@ TEST_F(Cli, FailuresEndWithOneAndNameTheFile)
 {
     const Outcome missing = run({"info", "nowhere.obj"});
     EXPECT_EQ(missing.status, 1);
+    EXPECT_EQ(runQuadrille({"info", "nowhere.obj"}, folder.path()).status, 1);
     EXPECT_THAT(missing.err, HasSubstr("error: nowhere.obj: "));
     folder.write("bad.quadrille", "{\n  \"format\": \"quadrille-project\",\n  \"version\": 1,\n  oops\n}");
     const Outcome bad = run({"check", "bad.quadrille"});

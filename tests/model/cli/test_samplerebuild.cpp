@@ -21,7 +21,15 @@ double deviation(const std::string& report, const std::string& which)
                                    : std::stod(report.substr(at + row.size()));
 }
 
-using SampleRebuild = Cli;
+class SampleRebuild : public Cli
+{
+protected:
+    /// By the program itself.
+    Outcome run(const std::vector<std::string>& arguments) const
+    {
+        return runQuadrille(arguments, folder.path());
+    }
+};
 
 } // namespace
 
