@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <numeric>
+#include <utility>
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -83,7 +84,61 @@ protected:
         samples.count = 1;
     }
     std::vector<Vec3f> frames(int number) { return loadFrames(opened(variationClip("sway", number))); }
+    void learnsTheNodesOfItsGridAndBlendsBetweenThem();
+    void isTheBlendOfTwoTakesOnItsEdgesAndATakeAtItsCorners();
+    void movesWithItsWeightsWithoutAJump();
 };
+
+void TubeSquare::learnsTheNodesOfItsGridAndBlendsBetweenThem()
+{
+    sample(0.25, 0.5);
+    const auto spread = std::exchange(sway().extent.spread, 0); // in the tempo of the takes
+    computed(run("variations"));
+    sway().extent.spread = spread;
+    // Four takes, four edges and the middle on the reference's 18 frames.
+    EXPECT_THAT(item("variations/sway/tip/latents").shape(), ElementsAre(9 * 18, 3));
+    EXPECT_THAT(column<std::string>("variations/sway/takes", "take"),
+                ElementsAre("calm", "wild", "slow calm", "slow wild", "calm–wild 0.5", "calm–slow calm 0.5",
+                            "calm–wild × slow calm–slow wild 0.5 0.5", "wild–slow wild 0.5",
+                            "slow calm–slow wild 0.5"));
+    // Drawn around two nodes: the middle row is learned.
+    EXPECT_THAT(column<double>("variations/sway/tip/chains", "acceptance"), SizeIs(2));
+    // 3/8 of 17 and 21 steps, 1/8 of 14 and 24 are 19.
+    EXPECT_EQ(opened("variations/sway/1").frameCount(), 20);
+    EXPECT_THAT(column<std::string>("variations/sway/report", "across-to"), Contains("slow wild"));
+    EXPECT_THAT(column<double>("variations/sway/report", "across-weight"), Contains(0.5));
+}
+
+void TubeSquare::isTheBlendOfTwoTakesOnItsEdgesAndATakeAtItsCorners()
+{
+    sway().samples.clear();
+    sample(0.25, 0);
+    sampleOf("calm", "wild", 0.25);
+    sample(1, 0.75);
+    sampleOf("wild", "slow wild", 0.75);
+    sample(0, 1);
+    sampleOf("slow calm", "", 0);
+    computed(run("variations"));
+    EXPECT_EQ(frames(1), frames(2));
+    EXPECT_EQ(frames(3), frames(4));
+    EXPECT_EQ(frames(5), frames(6));
+    EXPECT_NE(frames(1), frames(3));
+}
+
+void TubeSquare::movesWithItsWeightsWithoutAJump()
+{
+    sway().samples.clear();
+    // Across a learned node, and onto an edge.
+    constexpr double step = 1e-6;
+    sample(0.5 - step, 0.5 - step);
+    sample(0.5 + step, 0.5 + step);
+    sample(0.3, step);
+    sample(0.3, 0);
+    computed(run("variations"));
+    EXPECT_LT(largestDistance(frames(1), frames(2)), 1e-4);
+    EXPECT_LT(largestDistance(frames(3), frames(4)), 1e-4);
+    EXPECT_GT(largestDistance(frames(2), frames(3)), 1e-3);
+}
 
 } // namespace
 
@@ -165,52 +220,12 @@ TEST_F(VariationSquare, GoesWithEachOfItsTakes)
     }
 }
 
-TEST_F(TubeSquare, LearnsTheNodesOfItsGridAndBlendsBetweenThem)
+// One test, because the models of takes and nodes are learned once for each project.
+TEST_F(TubeSquare, IsLearnedAtItsNodesAndBlendedBetweenThem)
 {
-    sample(0.25, 0.5);
-    project.variations.front().extent.spread = 0; // in the tempo of the takes
-    computed(run("variations"));
-    // Four takes, four edges and the middle on the reference's 18 frames.
-    EXPECT_THAT(item("variations/sway/tip/latents").shape(), ElementsAre(9 * 18, 3));
-    EXPECT_THAT(column<std::string>("variations/sway/takes", "take"),
-                ElementsAre("calm", "wild", "slow calm", "slow wild", "calm–wild 0.5", "calm–slow calm 0.5",
-                            "calm–wild × slow calm–slow wild 0.5 0.5", "wild–slow wild 0.5",
-                            "slow calm–slow wild 0.5"));
-    // Drawn around two nodes: the middle row is learned.
-    EXPECT_THAT(column<double>("variations/sway/tip/chains", "acceptance"), SizeIs(2));
-    // 3/8 of 17 and 21 steps, 1/8 of 14 and 24 are 19.
-    EXPECT_EQ(opened("variations/sway/1").frameCount(), 20);
-    EXPECT_THAT(column<std::string>("variations/sway/report", "across-to"), Contains("slow wild"));
-    EXPECT_THAT(column<double>("variations/sway/report", "across-weight"), Contains(0.5));
-}
-
-TEST_F(TubeSquare, IsTheBlendOfTwoTakesOnItsEdgesAndATakeAtItsCorners)
-{
-    sample(0.25, 0);
-    sampleOf("calm", "wild", 0.25);
-    sample(1, 0.75);
-    sampleOf("wild", "slow wild", 0.75);
-    sample(0, 1);
-    sampleOf("slow calm", "", 0);
-    computed(run("variations"));
-    EXPECT_EQ(frames(1), frames(2));
-    EXPECT_EQ(frames(3), frames(4));
-    EXPECT_EQ(frames(5), frames(6));
-    EXPECT_NE(frames(1), frames(3));
-}
-
-TEST_F(TubeSquare, MovesWithItsWeightsWithoutAJump)
-{
-    // Across a learned node, and onto an edge.
-    constexpr double step = 1e-6;
-    sample(0.5 - step, 0.5 - step);
-    sample(0.5 + step, 0.5 + step);
-    sample(0.3, step);
-    sample(0.3, 0);
-    computed(run("variations"));
-    EXPECT_LT(largestDistance(frames(1), frames(2)), 1e-4);
-    EXPECT_LT(largestDistance(frames(3), frames(4)), 1e-4);
-    EXPECT_GT(largestDistance(frames(2), frames(3)), 1e-3);
+    learnsTheNodesOfItsGridAndBlendsBetweenThem();
+    isTheBlendOfTwoTakesOnItsEdgesAndATakeAtItsCorners();
+    movesWithItsWeightsWithoutAJump();
 }
 
 TEST_F(TubeSquare, IsMeasuredAgainstTrueBlendsInTheMiddleOfItsCells)
