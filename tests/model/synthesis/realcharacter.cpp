@@ -24,8 +24,9 @@ std::unique_ptr<RealCharacter> readRealCharacter()
     std::vector<MeshSequence> sequences;
     std::map<std::string, WalkSpan> takes;
     NodeIndex frames = 0;
-    for (const char* take : {"dance_1", "jump_long", "jump_low", "kick_1", "reach_high", "run_1", "run_2",
-                             "sit_1", "walk_1", "walk_slow", "walk_turn_left_1", "walk_turn_right_1"}) {
+    for (const char* take :
+         {"dance_1", "jump_long", "jump_low", "kick_1", "kick_2", "reach_high", "run_1", "run_2", "sit_1",
+          "walk_1", "walk_slow", "walk_turn_left_1", "walk_turn_right_1"}) {
         sequences.push_back(openSequences(folder / (std::string(take) + ".pc2"), options).sequences.front());
         const auto count = static_cast<NodeIndex>(sequences.back().frameCount());
         takes[take] = {frames, frames + count - 1};
