@@ -121,7 +121,7 @@ void GraphResults::open(const QString& character, Item& item)
             return openCharacter(working, character.toStdString(), opening, progress,
                                  [&post](const std::shared_ptr<const CostOverview>& overview) {
                                      post([overview](const QString&, ResultState& state) {
-                                         // It may come after the end of the work.
+                                         // It may come after the end of work that was stopped.
                                          if (state.phase == ResultPhase::Computing)
                                              static_cast<Item&>(state).overview = overview;
                                      });
