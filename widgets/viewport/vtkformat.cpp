@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/viewport/vtkformat.h"
 
-#include "widgets/viewport/vtkcanvas.h"
 #include "widgets/viewport/vtkview.h"
 
 #include <QGuiApplication>

@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/vtkcanvas.h"
 #include "widgets/viewport/vtkevents.h"
+#include "widgets/viewport/vtkformat.h"
 
 #include <QElapsedTimer>
 #include <QHash>
