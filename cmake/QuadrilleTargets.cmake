@@ -50,32 +50,44 @@ if(QUADRILLE_COVERAGE)
     target_link_options(quadrille_options INTERFACE --coverage)
 endif()
 
-# quadrille_unity(target [SIZE]): compiles the sources of each folder together, a dozen or SIZE at a time, once the target
-# is complete.
+# quadrille_unity(target): compiles the sources of each folder together, in equal lots of at most as many as the property
+# QUADRILLE_UNITY_SIZE of the target or its directory says, once the target is complete.
 # Reading the headers of Qt, VTK, Eigen and the standard library takes longer than compiling what is ours, so this builds
 # from nothing in a third of the time; configure with -DQUADRILLE_UNITY=OFF to compile each source for itself. Names in
 # unnamed namespaces must be unique within a folder. Sources with compiler flags of their own stay alone.
+define_property(TARGET PROPERTY QUADRILLE_UNITY_SIZE INHERITED)
+define_property(DIRECTORY PROPERTY QUADRILLE_UNITY_SIZE INHERITED)
+set_property(GLOBAL PROPERTY QUADRILLE_UNITY_SIZE 12)
 function(quadrille_unity target)
     if(QUADRILLE_UNITY)
-        set(sizes 12 ${ARGN})
-        list(GET sizes -1 size)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-        cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY \"${CMAKE_SOURCE_DIR}\" CALL quadrille_group_sources ${target} ${size})")
+        cmake_language(EVAL CODE "cmake_language(DEFER DIRECTORY \"${CMAKE_SOURCE_DIR}\" CALL quadrille_group_sources ${target})")
     endif()
 endfunction()
 
-function(quadrille_group_sources target size)
+function(quadrille_group_sources target)
     get_target_property(sources ${target} SOURCES)
     get_target_property(folder ${target} SOURCE_DIR)
+    get_property(size TARGET ${target} PROPERTY QUADRILLE_UNITY_SIZE)
     list(FILTER sources INCLUDE REGEX "\\.cpp$")
     foreach(source IN LISTS sources)
         cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${folder}")
         cmake_path(GET source PARENT_PATH place)
         cmake_path(RELATIVE_PATH place BASE_DIRECTORY "${CMAKE_SOURCE_DIR}")
         string(MAKE_C_IDENTIFIER "${place}" place)
-        math(EXPR count_${place} "0${count_${place}} + 1")
-        math(EXPR lot "(${count_${place}} - 1) / ${size}")
-        set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${place}_${lot}")
+        list(APPEND places ${place})
+        list(APPEND sources_${place} "${source}")
+    endforeach()
+    list(REMOVE_DUPLICATES places)
+    foreach(place IN LISTS places)
+        list(LENGTH sources_${place} count)
+        math(EXPR lots "(${count} + ${size} - 1) / ${size}")
+        set(done 0)
+        foreach(source IN LISTS sources_${place})
+            math(EXPR lot "${done} * ${lots} / ${count}")
+            math(EXPR done "${done} + 1")
+            set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${place}_${lot}")
+        endforeach()
     endforeach()
 endfunction()
 

@@ -8,7 +8,7 @@ set(QUADRILLE_DATA_DIR "${CMAKE_SOURCE_DIR}/../shared/data" CACHE PATH "Folder o
 # The sources of tests take longest to compile and shortest to run: what they test is optimized, they are a little.
 set(QUADRILLE_TEST_OPTIONS $<$<CONFIG:Release>:-Og>)
 # The headers of GoogleTest and QtTest take longer still, so many sources are compiled at a time (see quadrille_unity).
-set(QUADRILLE_TEST_UNITY_SIZE 32)
+set_property(DIRECTORY PROPERTY QUADRILLE_UNITY_SIZE 32)
 
 # Where the test SampleRebuild leaves the rebuilt sample.
 set(QUADRILLE_REBUILT_SAMPLE "${CMAKE_BINARY_DIR}/tests/rebuiltsample")
@@ -38,7 +38,7 @@ function(quadrille_model_test name)
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
-    quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
+    quadrille_unity(${name})
     set(suites "${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake")
     file(GENERATE OUTPUT "${suites}" CONTENT "set(QUADRILLE_PROGRAM [[$<TARGET_FILE:${name}>]])
 set(QUADRILLE_TIMEOUT ${QUADRILLE_TEST_TIMEOUT})
@@ -66,7 +66,7 @@ function(quadrille_qt_program name)
     target_compile_options(${name} PRIVATE ${QUADRILLE_TEST_OPTIONS})
     target_compile_definitions(${name} PRIVATE
         QUADRILLE_DATA_DIR="${QUADRILLE_DATA_DIR}")
-    quadrille_unity(${name} ${QUADRILLE_TEST_UNITY_SIZE})
+    quadrille_unity(${name})
 endfunction()
 
 # Where no times are known yet the costly begin: tests of the interface take seconds to minutes, others less than one.
