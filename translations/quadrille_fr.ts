@@ -4117,8 +4117,8 @@
         <translation>Calcule les textures et les déformations propres de toutes les textures</translation>
     </message>
     <message>
-        <source>&amp;Cancel building</source>
-        <translation>&amp;Annuler la construction</translation>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>Ends the computation; flows that are done need not be computed again</source>

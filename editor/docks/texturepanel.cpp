@@ -10,6 +10,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/pictures/uvedges.h"
 #include "editor/playback/clipscene.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 
@@ -51,8 +52,8 @@ TexturePanel::TexturePanel(EditorContext& context, ClipScene& scene, QWidget* pa
     , m_note(new MessageStrip)
     , m_choice(new TextureField)
     , m_file(new QLabel)
-    , m_facts(new QLabel)
-    , m_pointer(new QLabel)
+    , m_facts(new widgets::ElidedLabel)
+    , m_pointer(new widgets::ElidedLabel)
 {
     arrangeWidgets();
     connect(&scene, &ClipScene::changed, this, &TexturePanel::refresh);

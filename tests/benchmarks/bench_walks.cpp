@@ -37,7 +37,7 @@ std::vector<PoseKey> tenKeys(const WalkGraph& graph, std::uint32_t seed)
 
 void keys(benchmark::State& state)
 {
-    const RealCharacter* character = test::realCharacter();
+    const RealCharacter* character = test::wholeRealCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -95,7 +95,7 @@ WalkMaterial materialOf(const RealCharacter& character, const WarpPaths& warps)
 /// The last argument is how far walks are steered, degrees a metre.
 void path(benchmark::State& state)
 {
-    const RealCharacter* character = test::realCharacter();
+    const RealCharacter* character = test::wholeRealCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -136,7 +136,7 @@ void path(benchmark::State& state)
 /// A transition in the middle of a walk is banned: the rest of the walk kept, or all of it sought anew.
 void ban(benchmark::State& state)
 {
-    const RealCharacter* character = test::realCharacter();
+    const RealCharacter* character = test::wholeRealCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;
@@ -161,7 +161,7 @@ void ban(benchmark::State& state)
 /// The paper's incremental branch and bound, look-ahead 20 frames, from one start after the other for 20 s.
 void incremental(benchmark::State& state)
 {
-    const RealCharacter* character = test::realCharacter();
+    const RealCharacter* character = test::wholeRealCharacter();
     if (!character) {
         state.SkipWithError("no real takes");
         return;

@@ -7,11 +7,9 @@
 #include "editor/workspaces/live/liveworkspace.h"
 #include "editor/workspaces/workspacetabs.h"
 #include "editortest.h"
-#include "tests/model/variation/tubewalk.h"
+#include "tests/model/project/spacesofwalks.h"
 
-#include <QDir>
 #include <QTemporaryDir>
-#include <fstream>
 #include <memory>
 
 namespace quadrille {
@@ -30,22 +28,11 @@ protected:
 
     void writeTake(const QString& name, const test::TubeWalk& walk)
     {
-        QDir(m_folder->path()).mkdir(name);
-        const std::vector<std::string> files = test::walkFiles(walk);
-        for (std::size_t f = 0; f < files.size(); ++f)
-            std::ofstream(m_folder->filePath(name + "/f_" + QString::number(100 + f) + ".obj").toStdString())
-                << files[f];
+        test::writeWalk(m_folder->filePath(name).toStdString(), walk);
     }
     static MotionSpaceEntry spaceOf(const std::string& name, const std::vector<std::string>& takes)
     {
-        MotionSpaceEntry entry;
-        entry.name = name;
-        for (const std::string& take : takes)
-            entry.takes.emplace_back().sequence = take;
-        if (takes.size() > 1)
-            entry.parameters.emplace_back().name = "speed";
-        entry.tolerance = 0.02;
-        return entry;
+        return test::spaceOf(name, takes, 0.02);
     }
     void play(int ticks)
     {
@@ -69,8 +56,8 @@ protected slots:
     {
         test::isolate();
         m_folder = std::make_unique<QTemporaryDir>();
-        writeTake("slow", {});
-        writeTake("fast", {.period = 16, .step = 0.05, .size = 1.6});
+        writeTake("slow", test::slowWalk);
+        writeTake("fast", test::fastWalk);
         const QString file = m_folder->filePath("p.quadrille");
         m_window = std::make_unique<MainWindow>();
         Project project;

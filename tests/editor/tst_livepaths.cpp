@@ -13,8 +13,9 @@ class LivePathsTest : public LiveFixture
 {
     Q_OBJECT
 
-private slots:
-    void pathsOfAnimationsAreFollowed()
+private:
+    /// The project with an animation along a path of 1.5 m, and an obstacle on the ground; chooses the path.
+    void followPathBeside(const Vec2d& obstacle)
     {
         open();
         Project project = document().project();
@@ -22,21 +23,27 @@ private slots:
         tour.name = "tour";
         PathEntry path;
         path.points = {{1, 0, 1}, {1, 0, 2.5}};
-        path.obstacles = {{.corners = {{3, 2}}, .radius = 0.2}};
+        path.obstacles = {{.corners = {obstacle}, .radius = 0.2}};
         tour.constraints = {path};
         document().recover(project, document().file());
         QTRY_VERIFY(session().isReady());
-        auto* paths = m_window->findChild<QComboBox*>(QStringLiteral("livePath"));
-        QVERIFY(paths != nullptr);
-        QTRY_COMPARE(paths->count(), 2);
-        QVERIFY(paths->isEnabled());
-        const auto choose = [&](int index) {
-            paths->setCurrentIndex(index);
-            emit paths->activated(index);
-        };
-        choose(1);
+        QTRY_COMPARE(paths().count(), 2);
+        QVERIFY(paths().isEnabled());
+        choosePath(1);
+    }
+    QComboBox& paths() { return *m_window->findChild<QComboBox*>(QStringLiteral("livePath")); }
+    void choosePath(int index)
+    {
+        paths().setCurrentIndex(index);
+        emit paths().activated(index);
+    }
+
+private slots:
+    void pathsOfAnimationsAreFollowed()
+    {
+        followPathBeside({3, 2});
         QVERIFY(session().follower() != nullptr);
-        QCOMPARE(paths->currentIndex(), 1);
+        QCOMPARE(paths().currentIndex(), 1);
         QVERIFY((session().state().track.root.shift - Vec2d(1, 1)).norm() < 1e-9);
         session().startRecording();
         session().pause();
@@ -52,16 +59,16 @@ private slots:
         const Vec2d end = session().state().track.root.shift;
         QVERIFY(session().load(*entry, document().project().settings.axes));
         QVERIFY(session().follower() == nullptr);
-        QCOMPARE(paths->currentIndex(), 0);
+        QCOMPARE(paths().currentIndex(), 0);
         session().goTo(session().tickCount());
         QVERIFY((session().state().track.root.shift - end).norm() < 1e-9);
         // Who steers leaves the path.
-        choose(1);
+        choosePath(1);
         play(20);
         session().want(0);
         QVERIFY(session().follower() == nullptr);
-        QCOMPARE(paths->currentIndex(), 0);
-        choose(1);
+        QCOMPARE(paths().currentIndex(), 0);
+        choosePath(1);
         play(20);
         session().goTo(5);
         play(100);
@@ -91,13 +98,13 @@ private slots:
         QVERIFY(session().follower()->walked() >= wayThere);
         QVERIFY(session().follower()->walked() < wayThere + 0.1);
         session().stopRecording();
-        choose(0);
+        choosePath(0);
         QVERIFY(session().follower() == nullptr);
         // What is being recorded is kept.
         session().startRecording();
         session().pause();
         play(10);
-        choose(1);
+        choosePath(1);
         QVERIFY(!session().isRecording());
         QCOMPARE(document().project().lives.size(), std::size_t{1});
         QVERIFY(session().follower() != nullptr);
@@ -105,22 +112,9 @@ private slots:
 
     void pathsThatCannotBeFollowedSayWhy()
     {
-        open();
-        Project project = document().project();
-        AnimationEntry& tour = project.animations.emplace_back();
-        tour.name = "tour";
-        PathEntry path;
-        path.points = {{1, 0, 1}, {1, 0, 2.5}};
-        path.obstacles = {{.corners = {{1, 1}}, .radius = 0.2}};
-        tour.constraints = {path};
-        document().recover(project, document().file());
-        QTRY_VERIFY(session().isReady());
-        auto* paths = m_window->findChild<QComboBox*>(QStringLiteral("livePath"));
-        QTRY_COMPARE(paths->count(), 2);
-        paths->setCurrentIndex(1);
-        emit paths->activated(1);
+        followPathBeside({1, 1});
         QVERIFY(session().follower() == nullptr);
-        QCOMPARE(paths->currentIndex(), 0);
+        QCOMPARE(paths().currentIndex(), 0);
         QVERIFY(workspace().view().message().text().contains(QStringLiteral("stands at the start")));
     }
 };

@@ -5,13 +5,12 @@
 #include "editor/fields/measuretext.h"
 #include "editor/fields/partlist.h"
 #include "editortest.h"
-#include "tests/model/variation/tubewalk.h"
+#include "tests/model/project/spacesofwalks.h"
 #include "tests/qt/registry.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -38,14 +37,6 @@ private:
     }
     static QString row(const PartList* list, int row) { return list->item(row)->text(); }
 
-    void writeTake(const QString& name, const test::TubeWalk& walk)
-    {
-        QDir(m_folder->path()).mkdir(name);
-        const std::vector<std::string> files = test::walkFiles(walk);
-        for (std::size_t f = 0; f < files.size(); ++f)
-            std::ofstream(m_folder->filePath(name + "/f_" + QString::number(100 + f) + ".obj").toStdString())
-                << files[f];
-    }
     /// The project with a new motion space of both takes.
     void make()
     {
@@ -70,8 +61,8 @@ private slots:
     void init()
     {
         m_folder = std::make_unique<QTemporaryDir>();
-        writeTake("slow", {});
-        writeTake("fast", {.period = 16, .step = 0.05, .size = 1.6});
+        test::writeWalk(m_folder->filePath("slow").toStdString(), test::slowWalk);
+        test::writeWalk(m_folder->filePath("fast").toStdString(), test::fastWalk);
         m_window = std::make_unique<MainWindow>();
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));

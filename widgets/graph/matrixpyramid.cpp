@@ -3,6 +3,7 @@
 #include "widgets/graph/matrixpyramid.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace quadrille::widgets {
 
@@ -24,9 +25,11 @@ void halve(std::span<const MatrixPyramid::Shade> upper, std::span<const MatrixPy
 
 } // namespace
 
-MatrixPyramid::MatrixPyramid(const MatrixValues& finest, float minimum, float maximum,
-                             const MatrixFilter& filter)
-    : m_finest(finest)
+MatrixPyramid::MatrixPyramid(int side, const MatrixValues& finest, int firstHalvings, float minimum,
+                             float maximum, const MatrixFilter& filter)
+    : m_side(side)
+    , m_finest(finest)
+    , m_firstHalvings(firstHalvings)
     , m_minimum(minimum)
     , m_steps(maximum > minimum ? colorSteps / (maximum - minimum) : 0.0F)
     , m_filter(filter)
@@ -105,19 +108,17 @@ std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixValues& valu
                                                         float maximum, const MatrixFilter& filter,
                                                         const std::function<bool()>& isCancelled)
 {
-    const std::shared_ptr<MatrixPyramid> pyramid(new MatrixPyramid(values, minimum, maximum, filter));
-    pyramid->m_side = std::max(values.side, 0);
+    const std::shared_ptr<MatrixPyramid> pyramid(
+        new MatrixPyramid(std::max(values.side, 0), values, 0, minimum, maximum, filter));
     return pyramid->addHalves(isCancelled) ? pyramid : nullptr;
 }
 
 std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview, float minimum,
                                                         float maximum)
 {
-    const std::shared_ptr<MatrixPyramid> pyramid(
-        new MatrixPyramid({overview.squares(), overview.least, nullptr}, minimum, maximum, {}));
-    pyramid->m_side = overview.side;
-    for (int each = overview.cellsEach; each > 1; each /= 2)
-        ++pyramid->m_firstHalvings;
+    const int halvings = std::countr_zero(static_cast<unsigned>(overview.cellsEach));
+    const std::shared_ptr<MatrixPyramid> pyramid(new MatrixPyramid(
+        overview.side, {overview.squares(), overview.least, nullptr}, halvings, minimum, maximum, {}));
     pyramid->addHalves({});
     return pyramid;
 }

@@ -91,7 +91,8 @@ private:
                                                                    const std::function<bool()>& isCancelled);
     friend std::shared_ptr<const MatrixPyramid> buildMatrixPyramid(const MatrixOverview& overview,
                                                                    float minimum, float maximum);
-    MatrixPyramid(const MatrixValues& finest, float minimum, float maximum, const MatrixFilter& filter);
+    MatrixPyramid(int side, const MatrixValues& finest, int firstHalvings, float minimum, float maximum,
+                  const MatrixFilter& filter);
     bool addHalves(const std::function<bool()>& isCancelled);
 
     struct Level
@@ -100,14 +101,14 @@ private:
         std::vector<Shade> shades; ///< side × side
     };
 
+    int m_side;            ///< of the table
     MatrixValues m_finest; ///< of the first level
+    int m_firstHalvings;   ///< of the first level
     float m_minimum;
     float m_steps; ///< shades for each unit of values
     MatrixFilter m_filter;
     bool m_passesAll;            ///< lengths are not looked at
     std::vector<Level> m_halves; ///< all levels but the first
-    int m_side = 0;              ///< of the table
-    int m_firstHalvings = 0;     ///< of the first level
 };
 
 /// \param minimum  the value of the first shade. \param maximum  that of the last; larger ones look the same.

@@ -8,6 +8,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/animate/currentanimation.h"
 #include "editor/workspaces/animate/keysmodel.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/theme/icons.h"
 
 #include <QAction>
@@ -92,7 +93,7 @@ KeysPanel::KeysPanel(CurrentAnimation& animation, FramePictures& pictures, QWidg
     , m_model(new KeysModel(animation, pictures, this))
     , m_table(new QTableView)
     , m_pages(new QStackedWidget)
-    , m_empty(new QLabel)
+    , m_empty(new widgets::ElidedLabel)
     , m_addFirst(new QPushButton)
     , m_summary(new QLabel)
     , m_add(new QToolButton)
@@ -166,7 +167,6 @@ void KeysPanel::arrange()
     m_summary->setForegroundRole(QPalette::PlaceholderText);
     m_summary->setFont(widgets::Theme::tabularFont(m_summary->font()));
     m_empty->setObjectName(QStringLiteral("keysEmpty"));
-    m_empty->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_empty->setForegroundRole(QPalette::PlaceholderText);
 
     auto* emptyPage = new QWidget;

@@ -89,7 +89,7 @@ void AppearanceBar::makeActions()
     context.actions.add(
         {"appearance.stop",
          group,
-         [] { return tr("&Cancel building"); },
+         [] { return tr("&Cancel"); },
          [] { return tr("Ends the computation; flows that are done need not be computed again"); },
          "stop",
          {}},

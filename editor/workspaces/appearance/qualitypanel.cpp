@@ -10,12 +10,12 @@
 #include "editor/evaluations/evaluationcharts.h"
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/appearance/componentpictures.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/graph/linechart.h"
 #include "widgets/theme/theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ QualityPanel::QualityPanel(ShownTexture& shown, QWidget* parent)
     , m_shown(shown)
     , m_what(new QComboBox)
     , m_compute(new QPushButton)
-    , m_state(new QLabel)
+    , m_state(new widgets::ElidedLabel)
     , m_chart(new widgets::LineChart)
 {
     setObjectName(QStringLiteral("qualityPanel"));
@@ -70,7 +70,6 @@ QualityPanel::QualityPanel(ShownTexture& shown, QWidget* parent)
     m_compute->setObjectName(QStringLiteral("qualityCompute"));
     m_state->setObjectName(QStringLiteral("qualityState"));
     m_chart->setObjectName(QStringLiteral("qualityChart"));
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_what->addItem(QString());
     for (const char* table : {"fig17", "fig18"})
         m_what->addItem(QString(), QString::fromLatin1(table));

@@ -8,12 +8,12 @@
 #include <QWidget>
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 
 namespace quadrille {
 
 namespace widgets {
+class ElidedLabel;
 class LineChart;
 } // namespace widgets
 
@@ -39,7 +39,7 @@ private:
     ShownTexture& m_shown;
     QComboBox* m_what;
     QPushButton* m_compute;
-    QLabel* m_state;
+    widgets::ElidedLabel* m_state;
     widgets::LineChart* m_chart;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/project/results/openlive.h"
 
+#include "model/core/message.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/throwinvalid.h"
 #include "model/project/steps/livework.h"

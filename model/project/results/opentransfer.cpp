@@ -3,6 +3,7 @@
 #include "model/project/results/opentransfer.h"
 
 #include "model/core/bounds.h"
+#include "model/core/message.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/throwinvalid.h"

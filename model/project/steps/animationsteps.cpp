@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/core/message.h"
 #include "model/project/document/clipdependencies.h"
 #include "model/project/document/findentry.h"
 #include "model/project/document/lengthunit.h"

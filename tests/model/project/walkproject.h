@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "tests/model/project/spacesofwalks.h"
 #include "tests/model/project/stripproject.h"
-#include "tests/model/variation/tubewalk.h"
 
 namespace quadrille::test {
 
@@ -15,29 +15,15 @@ protected:
     {
         project.settings.fps = 25;
         project.sequences.clear();
-        addTake("slow", {});
-        addTake("fast", {.period = 16, .step = 0.05, .size = 1.6});
+        addTake("slow", slowWalk);
+        addTake("fast", fastWalk);
         project.motionSpaces = {spaceOf("walk", {"slow", "fast"})};
     }
 
     void addTake(const std::string& name, const TubeWalk& walk)
     {
-        const std::vector<std::string> files = walkFiles(walk);
-        for (std::size_t f = 0; f < files.size(); ++f)
-            folder.write(name + " walk/f_" + std::to_string(100 + f) + ".obj", files[f]);
+        writeWalk(folder / (name + " walk"), walk);
         project.sequences.push_back(sequenceOf(name, name + " walk"));
-    }
-
-    static MotionSpaceEntry spaceOf(const std::string& name, const std::vector<std::string>& takes)
-    {
-        MotionSpaceEntry entry;
-        entry.name = name;
-        for (const std::string& take : takes)
-            entry.takes.emplace_back().sequence = take;
-        if (takes.size() > 1)
-            entry.parameters.emplace_back().name = "speed";
-        entry.tolerance = 0.01;
-        return entry;
     }
 
     MotionSpaceEntry& walk() { return project.motionSpaces.front(); }

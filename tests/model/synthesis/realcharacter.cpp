@@ -5,6 +5,7 @@
 #include "model/sequence/io/registry.h"
 #include "model/transition/posedistance.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,7 +14,22 @@ namespace quadrille::test {
 
 namespace {
 
-std::unique_ptr<RealCharacter> readRealCharacter()
+constexpr std::array takesOfTests{
+    "dance_1", "jump_long", "jump_low", "kick_1",    "kick_2",           "reach_high",       "run_1",
+    "run_2",   "sit_1",     "walk_1",   "walk_slow", "walk_turn_left_1", "walk_turn_right_1"};
+
+std::vector<std::string> allTakes(const std::filesystem::path& folder)
+{
+    std::vector<std::string> takes;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        if (file.path().extension() == ".pc2")
+            takes.push_back(file.path().stem().string());
+    }
+    std::ranges::sort(takes);
+    return takes;
+}
+
+std::unique_ptr<RealCharacter> readRealCharacter(bool whole)
 {
     const std::filesystem::path folder = std::filesystem::path(QUADRILLE_DATA_DIR) / "characters/rb_m04";
     if (!std::filesystem::exists(folder))
@@ -24,10 +40,10 @@ std::unique_ptr<RealCharacter> readRealCharacter()
     std::vector<MeshSequence> sequences;
     std::map<std::string, WalkSpan> takes;
     NodeIndex frames = 0;
-    for (const char* take :
-         {"dance_1", "jump_long", "jump_low", "kick_1", "kick_2", "reach_high", "run_1", "run_2", "sit_1",
-          "walk_1", "walk_slow", "walk_turn_left_1", "walk_turn_right_1"}) {
-        sequences.push_back(openSequences(folder / (std::string(take) + ".pc2"), options).sequences.front());
+    const std::vector<std::string> names =
+        whole ? allTakes(folder) : std::vector<std::string>(takesOfTests.begin(), takesOfTests.end());
+    for (const std::string& take : names) {
+        sequences.push_back(openSequences(folder / (take + ".pc2"), options).sequences.front());
         const auto count = static_cast<NodeIndex>(sequences.back().frameCount());
         takes[take] = {frames, frames + count - 1};
         frames += count;
@@ -62,7 +78,13 @@ FrameSet RealCharacter::framesOf(const std::string& name) const
 
 const RealCharacter* realCharacter()
 {
-    static const std::unique_ptr<RealCharacter> character = readRealCharacter();
+    static const std::unique_ptr<RealCharacter> character = readRealCharacter(false);
+    return character.get();
+}
+
+const RealCharacter* wholeRealCharacter()
+{
+    static const std::unique_ptr<RealCharacter> character = readRealCharacter(true);
     return character.get();
 }
 

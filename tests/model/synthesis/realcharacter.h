@@ -11,7 +11,7 @@
 
 namespace quadrille::test {
 
-/// Takes of rb_m04, those that walks are asked for and some to turn by, with all that walks are made from.
+/// Takes of rb_m04 with all that walks are made from.
 struct RealCharacter
 {
     static constexpr double alpha = 0.01;
@@ -29,7 +29,10 @@ struct RealCharacter
     FrameSet framesOf(const std::string& name) const;
 };
 
-/// Computed once, in some seconds; null where the data are missing.
+/// Of the takes that walks are asked for in tests, and some to turn by. Computed once, in some seconds; null
+/// where the data are missing.
 const RealCharacter* realCharacter();
+/// The same of all of the takes.
+const RealCharacter* wholeRealCharacter();
 
 } // namespace quadrille::test

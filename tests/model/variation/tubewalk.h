@@ -4,6 +4,8 @@
 
 #include "tests/model/variation/swayingtakes.h"
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -49,6 +51,15 @@ inline std::vector<std::string> walkFiles(const TubeWalk& walk)
         text += facesText(*take.topology);
     }
     return files;
+}
+
+/// Makes the folder with the frames in it: f_100.obj, f_101.obj …
+inline void writeWalk(const std::filesystem::path& folder, const TubeWalk& walk)
+{
+    std::filesystem::create_directories(folder);
+    const std::vector<std::string> files = walkFiles(walk);
+    for (std::size_t f = 0; f < files.size(); ++f)
+        std::ofstream(folder / ("f_" + std::to_string(100 + f) + ".obj")) << files[f];
 }
 
 } // namespace quadrille::test
