@@ -57,31 +57,42 @@ TakeWarp withFramesAfter(TakeWarp warp, std::int64_t takeFrames)
     return warp;
 }
 
-/// Takes the difference of the frame after the last to the first one out of all frames.
-/// \param place  of a vertex: first frame less frame after the last. \param speed  likewise of what it moves
-/// by in a frame.
+/// Takes the difference of the frame after the last to the first one out of the frames of a cycle: that of
+/// places over all of it, that of speeds beside the seam. Speeds that differ for a moment, as where a foot
+/// lands a frame earlier, would carry the foot away from the body if they were evened out over a whole cycle.
 class SeamCorrection
 {
 public:
+    /// \param place  of a vertex: first frame less frame after the last. \param speed  likewise of what it
+    /// moves by in a frame.
     SeamCorrection(std::vector<Vec3f> place, std::vector<Vec3f> speed, std::size_t frames)
-        : m_place(std::move(place)), m_speed(std::move(speed)), m_frames(static_cast<float>(frames))
+        : m_place(std::move(place))
+        , m_speed(std::move(speed))
+        , m_frames(static_cast<float>(frames))
+        , m_reach(std::max(m_frames * shareBesideSeam, leastBesideSeam))
     {
     }
 
     void correct(std::size_t frame, MutablePositions pose) const
     {
-        // Hermite's cubic from −1/2 to 1/2 of both.
-        const float u = static_cast<float>(frame) / m_frames;
+        // Hermite's cubics: of places from −1/2 to 1/2, of half of the speeds from the seam to where it ends.
+        const auto f = static_cast<float>(frame);
+        const float u = f / m_frames;
         const float ofPlace = u * u * (3 - 2 * u) - 0.5F;
-        const float ofSpeed = m_frames * (u * u * (u - 1) - u * (1 - u) * (1 - u)) / 2;
+        const float far = std::min(f, m_frames - f) / m_reach;
+        const float ofSpeed = far < 1 ? -m_reach * far * (1 - far) * (1 - far) / 2 : 0;
         for (std::size_t v = 0; v < pose.size(); ++v)
             pose[v] += ofPlace * m_place[v] + ofSpeed * m_speed[v];
     }
 
 private:
+    static constexpr float shareBesideSeam = 0.125F; ///< of the cycle, on each side
+    static constexpr float leastBesideSeam = 2;      ///< frames
+
     std::vector<Vec3f> m_place;
     std::vector<Vec3f> m_speed;
     float m_frames;
+    float m_reach; ///< frames on each side in which speeds become one
 };
 
 std::vector<Vec3f> difference(Positions a, Positions b)

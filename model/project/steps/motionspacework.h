@@ -17,7 +17,7 @@ class MotionSpaceWork
 {
 public:
     /// Of the steps that make motion spaces, see BuildStep::version.
-    static constexpr int version = 2;
+    static constexpr int version = 3;
 
     /// \param opener  of a project that has the entry.
     MotionSpaceWork(std::shared_ptr<SequenceOpener> opener, MotionSpaceEntry entry);

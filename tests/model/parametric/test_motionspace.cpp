@@ -103,6 +103,40 @@ TEST(MotionSpace, GoesThroughTheSeamOfACycleWithoutAJump)
     }
 }
 
+/// As of a foot that lands a frame later than a cycle before.
+TEST(MotionSpace, CarriesNothingAwayWhereSpeedsDifferForAFrameAtTheSeam)
+{
+    const SpaceTakeSource take = cycling("walk", 45, 20, 0.02);
+    const MotionSpace steady = makeMotionSpace("steady", std::vector{take}, 0, {}, {}, {});
+    ASSERT_TRUE(steady.isCyclic);
+    const FrameRange cycle = steady.takes[0].warp.frames;
+    const auto count = static_cast<std::int64_t>(steady.frameCount());
+    ASSERT_LT(cycle.last.value + 2, 45);
+    const std::size_t foot = 3;
+    const float late = 0.04F;
+    std::vector<Vec3f> positions;
+    for (std::int64_t f = 0; f < 45; ++f) {
+        const std::vector<Vec3f> pose = captured(take, f);
+        positions.insert(positions.end(), pose.begin(), pose.end());
+        if (f == cycle.last.value + 2)
+            positions[positions.size() - pose.size() + foot].x() += late;
+    }
+    SpaceTakeSource other = take;
+    other.take.sequence.source = std::make_shared<MemoryFrames>(
+        std::move(positions), static_cast<std::uint32_t>(steady.vertexCount()));
+    other.take.range = cycle;
+    const MotionSpace space = makeMotionSpace("other", std::vector{other}, 0, {}, {}, {});
+    ASSERT_EQ(space.takes[0].warp.frames, cycle);
+    for (std::int64_t f = 0; f < count; ++f) {
+        const auto frame = static_cast<std::size_t>(f);
+        const float away = (space.takes[0].pose(frame)[foot] - steady.takes[0].pose(frame)[foot]).norm();
+        // An eighth of the cycle on either side, two frames and a half; the cubic is at most 4/27 as high.
+        EXPECT_LT(away,
+                  f < count / 8 + 1 || f >= count - count / 8 ? late / 2 * 2.5F * 4 / 27 + 1e-4F : 1e-4F)
+            << f;
+    }
+}
+
 TEST(MotionSpace, PlacesTakesByTheirSpeedsAndMeetsThoseBetween)
 {
     const MotionSpace space = twoSpeeds(0.005);
