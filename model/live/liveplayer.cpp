@@ -74,6 +74,8 @@ LivePlayer::LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSetting
 {
     check(m_settings);
     m_settings.search.choices = LiveDecision::mostChoices;
+    m_settings.search.stepsAFrame =
+        stepsAFrame(m_settings.search.steps, m_settings.secondsAcross, m_graph->fps);
     TransitionSearchSettings responsive = m_settings.search;
     responsive.latencyWeight = m_settings.responsiveWeight;
     const std::size_t count = m_graph->spaces.size();
@@ -234,8 +236,8 @@ void LivePlayer::movePlace(const LiveInput& input, double seconds)
             const SpacePoint before = track.place;
             const double share =
                 m_state.wayEnd > 0 ? std::clamp(m_state.wayFrames / m_state.wayEnd, 0.0, 1.0) : 1;
-            track.place =
-                between(m_state.wayStart, leaves ? m_state.choice.leavingPlace : m_state.wayGoal, share);
+            track.place = between(m_state.wayStart, leaves ? m_state.choice.leavingPlace : m_state.wayGoal,
+                                  wayGone(share));
             for (std::size_t d = 0; d < before.size(); ++d)
                 m_state.pace[d] = (track.place[d] - before[d]) / seconds;
             return;

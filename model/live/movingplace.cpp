@@ -40,4 +40,15 @@ void movePlaceTowards(const SpacePoint& wanted, const SpacePoint& least, const S
     }
 }
 
+double wayGone(double share)
+{
+    return share * share * (3 - 2 * share);
+}
+
+double stepsAFrame(int steps, double secondsAcross, double fps)
+{
+    constexpr double fastest = 1.5; // of wayGone, in the middle
+    return steps / (secondsAcross * fps * fastest);
+}
+
 } // namespace quadrille

@@ -48,20 +48,11 @@ std::array<float, 4> valuesAt(const float* values, const std::array<std::size_t,
 
 } // namespace
 
-SpacePoint placeBetween(const SpacePoint& from, const SpacePoint& to, int frame, int frames)
-{
-    if (frame >= frames)
-        return to;
-    SpacePoint place{};
-    for (std::size_t d = 0; d < place.size(); ++d)
-        place[d] = from[d] + (to[d] - from[d]) * frame / frames;
-    return place;
-}
-
 TransitionSearch::Side::Side(const MotionSpace& motion, std::size_t frameCount,
                              const TransitionSearchSettings& settings)
     : space(motion.weights)
     , places(transitionPlaces(motion.weights, settings.steps))
+    , stepsAFrame(settings.stepsAFrame)
     , isCyclic(motion.isCyclic)
     , frames(frameCount)
     , reaches(static_cast<std::size_t>(settings.depth) + 1)
@@ -94,7 +85,7 @@ void TransitionSearch::Side::start(const SpacePoint& place)
     own = space.at(place);
     ownPlace = space.placeOf(own);
     for (std::size_t p = 0; p < points.size(); ++p)
-        reach[p] = framesBetween(places, ownPlace, places.places[points[p].place - 1]);
+        reach[p] = framesBetween(places, ownPlace, places.places[points[p].place - 1], stepsAFrame);
     for (std::size_t g = 0; g < groups.size(); ++g) {
         // Counts of each reach become where it ends; backwards, points of one reach keep their order.
         std::size_t* end = ends.data() + g * reaches;
@@ -119,7 +110,7 @@ TransitionSearch::TransitionSearch(std::shared_ptr<const SimilarityTable> table,
     , m_source(source, m_table->sourceFrames, settings)
     , m_target(target, m_table->targetFrames, settings)
 {
-    assert(settings.depth >= 0 && settings.steps > 0 && settings.choices > 0);
+    assert(settings.depth >= 0 && settings.steps > 0 && settings.stepsAFrame > 0 && settings.choices > 0);
     const std::size_t pairs = m_table->leasts.size();
     m_rowLeasts.assign(pairs * m_table->sourceNodes, std::numeric_limits<float>::infinity());
     m_columnLeasts.assign(pairs * m_table->targetNodes, std::numeric_limits<float>::infinity());

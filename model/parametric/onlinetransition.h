@@ -45,10 +45,6 @@ struct TransitionChoice
     bool operator==(const TransitionChoice&) const = default;
 };
 
-/// Where a place is that moves to another one in equal shares, after some of the frames that it takes: from
-/// the source's place to the one where it is left, and from the place of arrival to the goal's.
-SpacePoint placeBetween(const SpacePoint& from, const SpacePoint& to, int frame, int frames);
-
 /// Finds transitions from a motion space to another one while they are played (IA4D section 3.2.2). Of all
 /// l, m ≤ depth, all end frames and all places that are reached in l frames from the source's place, and from
 /// which the goal's is reached in m, it finds those of the least E_S + λ·(l + m). Places are the one where it
@@ -92,6 +88,7 @@ private:
 
         WeightSpace space;
         TransitionPlaces places;
+        double stepsAFrame;
         bool isCyclic;
         std::size_t frames;
         std::size_t reaches; ///< depth + 1

@@ -114,10 +114,11 @@ std::optional<TransitionChoice> PrecomputedTransitions::choose(const SpaceState&
     std::optional<TransitionChoice> best;
     for (const FixedTransition& fixed : m_transitions) {
         const std::optional<int> l = m_source.framesUntil(
-            start, fixed.leavingFrame, framesBetween(m_source.places, from, fixed.leavingPlace));
+            start, fixed.leavingFrame,
+            framesBetween(m_source.places, from, fixed.leavingPlace, m_settings.stepsAFrame));
         if (!l)
             continue;
-        const int least = framesBetween(m_target.places, fixed.arrivalPlace, to);
+        const int least = framesBetween(m_target.places, fixed.arrivalPlace, to, m_settings.stepsAFrame);
         for (std::size_t end = goal.firstFrame;; end = (end + 1) % m_target.frames) {
             const std::optional<int> m = m_target.framesUntil(fixed.arrivalFrame, end, least);
             if (m) {

@@ -26,6 +26,7 @@ struct PrecomputedTransitionSettings
     std::size_t apart = 3;    ///< frames of source or target between any two of them
     double latencyWeight = 5; ///< λ for a frame
     int steps = 10;           ///< of each axis' range, as TransitionSearchSettings
+    double stepsAFrame = 1;   ///< likewise
 };
 
 /// The best fixed transitions from a motion space to another one, with which the online search is compared

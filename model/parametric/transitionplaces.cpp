@@ -54,13 +54,14 @@ std::size_t nearestFrame(double frame, std::size_t frames, bool isCyclic)
     return isCyclic ? nearest % frames : std::min(nearest, frames - 1);
 }
 
-int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to)
+int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to,
+                  double stepsAFrame)
 {
-    constexpr double slack = 1e-6; // of rounding, steps
+    constexpr double slack = 1e-6; // of rounding, frames
     double steps = 0;
     for (std::size_t d = 0; d < static_cast<std::size_t>(places.dimension); ++d)
         steps = std::max(steps, std::abs(to[d] - from[d]) / places.step[d]);
-    return static_cast<int>(std::ceil(steps - slack));
+    return static_cast<int>(std::ceil(steps / stepsAFrame - slack));
 }
 
 } // namespace quadrille

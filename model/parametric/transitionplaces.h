@@ -13,7 +13,7 @@ namespace quadrille {
 struct TransitionPlaces
 {
     int dimension = 0;
-    SpacePoint step{};                ///< of each axis: by so much a place moves a frame at most
+    SpacePoint step{};                ///< of each axis
     std::vector<SpacePoint> places;   ///< all within the space, none twice
     std::vector<NodeWeights> weights; ///< of each place
 };
@@ -26,7 +26,8 @@ TransitionPlaces transitionPlaces(const WeightSpace& space, int steps);
 /// The frame of a space that a time is nearest to. \param frame  fractional, not negative.
 std::size_t nearestFrame(double frame, std::size_t frames, bool isCyclic);
 
-/// In how many frames a place moves to another one.
-int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to);
+/// In how many frames a place moves to another one. \param stepsAFrame  of the axis on which it is farthest.
+int framesBetween(const TransitionPlaces& places, const SpacePoint& from, const SpacePoint& to,
+                  double stepsAFrame = 1);
 
 } // namespace quadrille

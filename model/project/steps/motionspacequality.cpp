@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/live/livesettings.h"
+#include "model/live/movingplace.h"
 #include "model/parametric/measureunit.h"
 #include "model/parametric/precomputedtransitions.h"
 #include "model/parametric/references.h"
@@ -149,10 +150,12 @@ Result transitionReport(const MotionSpace& source, const MotionSpace& target,
         randomRequests(source, target, comparedRequests, requestSeed);
     constexpr double share = 0.2;
     double begin = 0;
-    TransitionSearchSettings responsive;
+    // Places move as when they are played live.
+    TransitionSearchSettings smooth;
+    smooth.stepsAFrame = stepsAFrame(smooth.steps, LiveSettings().secondsAcross, source.fps);
+    TransitionSearchSettings responsive = smooth;
     responsive.latencyWeight = LiveSettings().responsiveWeight;
-    for (const auto& [kind, settings] :
-         {std::pair("online", TransitionSearchSettings()), std::pair("responsive", responsive)}) {
+    for (const auto& [kind, settings] : {std::pair("online", smooth), std::pair("responsive", responsive)}) {
         ChosenTransitions online;
         TransitionSearch search(table, source, target, settings);
         const Progress searching = progress.part(begin, begin + share);
@@ -164,7 +167,8 @@ Result transitionReport(const MotionSpace& source, const MotionSpace& target,
         begin += share;
     }
     for (const std::size_t count : {1U, 5U, 10U}) {
-        const PrecomputedTransitions fixed(*table, source, target, {.count = count});
+        const PrecomputedTransitions fixed(*table, source, target,
+                                           {.count = count, .stepsAFrame = smooth.stepsAFrame});
         const Progress choosing = progress.part(begin, begin + share);
         ChosenTransitions chosen;
         for (std::size_t r = 0; r < requests.size(); ++r) {

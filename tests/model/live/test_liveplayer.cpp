@@ -129,6 +129,34 @@ TEST(LivePlayer, GoesToWantedParametersNoFasterThanItMay)
     EXPECT_EQ(player.state().track.place[0], 2);
 }
 
+TEST(LivePlayer, MovesPlacesNoFasterInTransitionsThanWhenTheyAreSteered)
+{
+    const auto graph = swingingGraph();
+    const LiveSettings settings{.secondsAcross = 0.8};
+    LivePlayer player(graph, settings, {.space = walking, .parameters = {1}});
+    Random random(3);
+    LiveInput input{.space = walking, .parameters = {1}};
+    const double tick = 1 / (graph->fps * settings.ticksPerFrame);
+    std::int64_t ticksOnWays = 0;
+    for (int t = 0; t < 3000; ++t) {
+        if (t % 60 == 0) {
+            input.space = input.space == walking ? turning : walking;
+            input.parameters = {input.space == walking ? random.between(0.5, 2) : random.between(-60, 60)};
+        }
+        const LiveTrack before = player.state().track;
+        player.tick(input);
+        const LiveTrack& after = player.state().track;
+        if (after.space != before.space)
+            continue;
+        ticksOnWays += player.state().way != LiveState::Way::Free ? 1 : 0;
+        const auto [least, greatest] = graph->spaces[after.space]->weights.range();
+        EXPECT_LE(std::abs(after.place[0] - before.place[0]),
+                  1.01 * (greatest[0] - least[0]) / settings.secondsAcross * tick)
+            << t;
+    }
+    EXPECT_GT(ticksOnWays, 100);
+}
+
 TEST(LivePlayer, MakesTheTransitionThatTheSearchFinds)
 {
     const auto graph = swingingGraph();
@@ -142,8 +170,9 @@ TEST(LivePlayer, MakesTheTransitionThatTheSearchFinds)
     EXPECT_EQ(decision.tick, 8);
     EXPECT_EQ(decision.source, walking);
     EXPECT_EQ(decision.target, turning);
-    TransitionSearch search(graph->tables[walking][turning], *graph->spaces[walking],
-                            *graph->spaces[turning]);
+    TransitionSearch search(graph->tables[walking][turning], *graph->spaces[walking], *graph->spaces[turning],
+                            player.settings().search);
+    EXPECT_DOUBLE_EQ(player.settings().search.stepsAFrame, 10 / (graph->fps * 1.5));
     const auto found = search.search({before.track.phase, before.track.place}, decision.goal);
     ASSERT_EQ(decision.count, found.size());
     for (std::size_t i = 0; i < found.size(); ++i)

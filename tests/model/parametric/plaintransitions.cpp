@@ -16,15 +16,16 @@ struct ReachedPlace
     int frames = 0;
 };
 
-std::vector<ReachedPlace> reachedPlaces(const MotionSpace& space, const SpacePoint& place, int steps)
+std::vector<ReachedPlace> reachedPlaces(const MotionSpace& space, const SpacePoint& place,
+                                        const TransitionSearchSettings& settings)
 {
-    const TransitionPlaces places = transitionPlaces(space.weights, steps);
+    const TransitionPlaces places = transitionPlaces(space.weights, settings.steps);
     const NodeWeights own = space.weights.at(place);
     const SpacePoint within = space.weights.placeOf(own);
     std::vector<ReachedPlace> reached{{within, own, 0}};
     for (std::size_t p = 0; p < places.places.size(); ++p)
-        reached.push_back(
-            {places.places[p], places.weights[p], framesBetween(places, within, places.places[p])});
+        reached.push_back({places.places[p], places.weights[p],
+                           framesBetween(places, within, places.places[p], settings.stepsAFrame)});
     return reached;
 }
 
@@ -37,8 +38,8 @@ std::vector<TransitionChoice> plainTransitions(const SimilarityTable& table, con
 {
     const auto sourceFrames = static_cast<int>(table.sourceFrames);
     const auto targetFrames = static_cast<int>(table.targetFrames);
-    const std::vector<ReachedPlace> from = reachedPlaces(source, state.place, settings.steps);
-    const std::vector<ReachedPlace> to = reachedPlaces(target, goal.place, settings.steps);
+    const std::vector<ReachedPlace> from = reachedPlaces(source, state.place, settings);
+    const std::vector<ReachedPlace> to = reachedPlaces(target, goal.place, settings);
     int start = static_cast<int>(std::floor(state.frame + 0.5));
     start = source.isCyclic ? start % sourceFrames : std::min(start, sourceFrames - 1);
     std::vector<TransitionChoice> choices;

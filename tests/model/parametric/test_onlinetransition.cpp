@@ -100,6 +100,8 @@ TEST(TransitionPlaces, AreTheNodesAndAGridWithinTheSpace)
     EXPECT_EQ(framesBetween(places, {1}, {1.3}), 1);
     EXPECT_EQ(framesBetween(places, {1.3}, {1}), 1);
     EXPECT_EQ(framesBetween(places, {1}, {1.31}), 2);
+    EXPECT_EQ(framesBetween(places, {1}, {1.3}, 0.25), 4);
+    EXPECT_EQ(framesBetween(places, {1}, {1.3}, 0.3), 4);
 
     const TransitionPlaces plane = transitionPlaces(placesOnly(2, 0, true, 3).weights, 6);
     EXPECT_DOUBLE_EQ(plane.step[1], 0.5);
@@ -123,6 +125,7 @@ TEST(TransitionSearch, FindsWhatTryingEverythingFinds)
     expectExhaustive(1, 1, true, {.depth = 12, .choices = 1}); // around the cycle, and again
     expectExhaustive(1, 1, true, {.depth = 4, .latencyWeight = 100, .choices = 3});
     expectExhaustive(1, 1, true, {.depth = 2, .choices = 100}); // there are no more than 9
+    expectExhaustive(1, 1, true, {.depth = 7, .stepsAFrame = 0.3});
 }
 
 TEST(TransitionSearch, FindsWhatTryingEverythingFindsInThePlane)
@@ -212,12 +215,4 @@ TEST(TransitionSearch, FindsTheSameAgain)
     const std::vector<TransitionChoice> first = found(2);
     EXPECT_NE(found(5), first);
     EXPECT_EQ(found(2), first);
-}
-
-TEST(PlaceBetween, MovesInEqualShares)
-{
-    EXPECT_EQ(placeBetween({1, 5}, {3, 1}, 0, 4), (SpacePoint{1, 5}));
-    EXPECT_EQ(placeBetween({1, 5}, {3, 1}, 1, 4), (SpacePoint{1.5, 4}));
-    EXPECT_EQ(placeBetween({1, 5}, {3, 1}, 4, 4), (SpacePoint{3, 1}));
-    EXPECT_EQ(placeBetween({1, 5}, {3, 1}, 0, 0), (SpacePoint{3, 1}));
 }
