@@ -25,7 +25,7 @@ public:
     LivePathFollower(const std::shared_ptr<const LiveGraph>& graph, const LiveSettings& live,
                      const PathConstraint& path, const LivePathSettings& settings = {});
 
-    /// At the beginning of the route, going along it, in the first space with a cycle.
+    /// At the beginning of the route, going along it, in the space that stays on it best.
     LiveStart start() const { return m_plan.start(); }
     /// The path, around the obstacles, metres.
     const PathCourse& route() const { return m_plan.route(); }

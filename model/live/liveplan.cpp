@@ -107,6 +107,7 @@ LivePlan::LivePlan(const LiveGraph& graph, const LiveSettings& live, PathCourse 
     , m_settings(settings)
     , m_obstacles(obstacles)
     , m_player(m_graph, aheadOf(live), usualIn(*m_graph))
+    , m_vertices(static_cast<double>(graph.vertexCount()))
 {
     for (const Obstacle& obstacle : m_obstacles)
         m_kept.emplace_back(obstacle, obstacle.clearance + settings.margin);
@@ -133,7 +134,7 @@ LivePlan::LivePlan(const LiveGraph& graph, const LiveSettings& live, PathCourse 
         return range > 0 ? (input.parameters[0] - map.least[0]) / range : 0;
     });
     m_count = 1 + m_coarse.size() + refinements * 2 * m_dimension;
-    m_begin = usualStart();
+    m_begin = bestStart();
 }
 
 std::size_t LivePlan::dimensionOf(std::size_t space) const
@@ -166,14 +167,30 @@ void LivePlan::addCandidates(std::size_t space)
     add(following[dimension], m_next);
 }
 
-LiveStart LivePlan::usualStart()
+/// Going along the route, in the space that stays on it best with what may follow.
+LiveStart LivePlan::bestStart()
 {
-    LiveStart start = usualIn(*m_graph);
-    const LiveInput input{.space = start.space, .parameters = start.parameters};
-    const Vec2d way = centreOf(after(m_player.state(), input, static_cast<int>(std::lround(m_graph->fps))));
-    start.root.shift = m_route.at(0).head<2>();
-    start.root.turn = m_route.directionFrom(0, 0.5) - angleOf(way);
-    return start;
+    LiveStart best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t space = 0; space < m_graph->spaces.size(); ++space) {
+        if (!m_graph->spaces[space]->isCyclic)
+            continue;
+        const LiveInput input{
+            .space = space, .parameters = middleOf(*m_graph->spaces[space]), .isResponsive = true};
+        LiveStart start{.space = space, .parameters = input.parameters};
+        m_player.start(start);
+        const Vec2d way =
+            centreOf(after(m_player.state(), input, static_cast<int>(std::lround(m_graph->fps))));
+        start.root.shift = m_route.at(0).head<2>();
+        start.root.turn = m_route.directionFrom(0, 0.5) - angleOf(way);
+        m_player.start(start);
+        begin(m_player.state(), 0, input);
+        if (const double cost = costOf(input, least); cost < least) {
+            least = cost;
+            best = start;
+        }
+    }
+    return best;
 }
 
 int LivePlan::firstSamples(std::size_t space) const
@@ -308,8 +325,12 @@ bool LivePlan::play(Walked& walked, const LiveInput& input, int samples, double 
         return false;
     m_player.restore(walked.state);
     for (int i = 0; i < samples; ++i) {
-        for (int f = 0; f < m_sampleFrames; ++f)
+        for (int f = 0; f < m_sampleFrames; ++f) {
+            const std::int64_t decisions = m_player.state().decisions;
             m_player.tick(input);
+            if (m_player.state().decisions != decisions)
+                walked.cost += unlikenessCost();
+        }
         const Vec2d centre = m_player.root().shift;
         const RoutePlace place = placeOn(m_route, centre, walked.along);
         walked.along = place.along;
@@ -320,6 +341,15 @@ bool LivePlan::play(Walked& walked, const LiveInput& input, int samples, double 
     }
     walked.state = m_player.state();
     return true;
+}
+
+double LivePlan::unlikenessCost() const
+{
+    const LiveDecision& decision = m_player.decision();
+    const SimilarityTable& table = *m_graph->tables[decision.source][decision.target];
+    const double distance = m_player.state().choice.dissimilarity / table.scale(); // see SimilarityTable
+    const double beyond = square(distance) * m_vertices - square(m_settings.alike);
+    return table.greatest > 0 ? m_settings.unlikenessWeight * std::max(beyond, 0.0) : 0;
 }
 
 /// Grows within the margin; what is too close costs more than anything else.

@@ -25,6 +25,8 @@ struct LivePathSettings
     double speedWeight = 0.3;      ///< of standing still
     double changeWeight = 0.05;    ///< of a parameter that goes over all of its range
     double transitionWeight = 0.3; ///< of wanting another space than before
+    double alike = 0.1;            ///< poses that are so far apart on average are joined for nothing, metres
+    double unlikenessWeight = 50;  ///< of a transition, by the mean square beyond that, 1/m²
     double patience = 4;           ///< seconds in which it gets 25 cm further, or gives up
     double endRadius = 0.5;        ///< from the end, where that counts as reached, metres
 
@@ -54,8 +56,8 @@ public:
 
     const PathCourse& route() const { return m_route; }
     const std::vector<Obstacle>& obstacles() const { return m_obstacles; }
-    /// Where a player best begins: at the start of the route, going along it, in the first space with a
-    /// cycle, in the middle of its parameters.
+    /// Where a player best begins: at the start of the route, going along it, in the middle of the parameters
+    /// of the space with a cycle that stays on it best.
     LiveStart start() const { return m_begin; }
     /// What was wanted last in a state, as far as it tells.
     LiveInput wantedIn(const LiveState& state) const;
@@ -90,10 +92,12 @@ private:
     int firstSamples(std::size_t space) const;
     std::optional<LiveInput> candidate();
     void addCandidates(std::size_t space);
-    LiveStart usualStart();
+    LiveStart bestStart();
     double costOf(const LiveInput& input, double bound);
     double changeCost(const LiveInput& from, const LiveInput& to) const;
     bool play(Walked& walked, const LiveInput& input, int samples, double bound);
+    /// Of the transition that the player has decided on.
+    double unlikenessCost() const;
     double obstacleCost(const Vec2d& point) const;
     double endCost(const Walked& walked) const;
 
@@ -103,6 +107,7 @@ private:
     std::vector<Obstacle> m_obstacles;
     std::vector<KeptClear> m_kept; ///< by their clearances and the margin
     LivePlayer m_player;
+    double m_vertices; ///< of the meshes that are played
     int m_sampleFrames = 1;
     int m_firstSamples = 1;
     int m_severalSamples = 1; ///< in place of the first, of several parameters
