@@ -15,10 +15,11 @@ namespace quadrille {
 void movePlaceTowards(const SpacePoint& wanted, const SpacePoint& least, const SpacePoint& greatest,
                       double secondsAcross, double seconds, SpacePoint& place, SpacePoint& pace);
 
-/// How much of its way a place has gone in a transition, after a share of the time: smooth, from rest to rest.
+/// How much of its way a place has gone in a transition, after a share of the time: smooth, from rest to
+/// rest.
 double wayGone(double share);
-/// By how many steps a place moves in a frame on average on such ways, so that at its fastest it is as fast as
-/// when it is steered. \param steps  of an axis.
+/// By how many steps a place moves in a frame on average on such ways, so that at its fastest it is as fast
+/// as when it is steered. \param steps  of an axis.
 double stepsAFrame(int steps, double secondsAcross, double fps);
 
 } // namespace quadrille
