@@ -44,8 +44,6 @@ RewindPanel::RewindPanel(LiveSession& session, QWidget* parent)
     m_tree->setUniformRowHeights(true);
     m_tree->setFont(widgets::Theme::tabularFont(m_tree->font()));
     m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_tree->header()->setStretchLastSection(false);
-    m_tree->header()->setSectionResizeMode(WhatColumn, QHeaderView::Stretch); // gives way in narrow docks
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(8, 8, 8, 8);
     auto* column = new QVBoxLayout(this);
