@@ -82,6 +82,7 @@ private slots:
         QTRY_VERIFY(session().tickCount() > 20);
         action("play.toggle")->trigger();
         QVERIFY(!session().isRunning());
+        QCOMPARE(workspace().view().timeline().currentFrame(), static_cast<int>(session().state().tick));
         m_window->workspaces().select("sequences");
         m_window->workspaces().select("live");
         action("live.run")->trigger();

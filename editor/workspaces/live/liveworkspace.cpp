@@ -143,6 +143,8 @@ void LiveWorkspace::connectView()
         player().pause();
         toggle();
     });
+    // What it shows as it pauses is a frame of the look, not the tick.
+    connect(&player(), &Player::frameChanged, this, &LiveWorkspace::showTimeline);
     connect(&m_view->timeline(), &widgets::Timeline::frameScrubbed, m_session, &LiveSession::goTo);
     using widgets::PlaybackBar;
     const PlaybackBar* bar = &m_view->playback();
