@@ -347,9 +347,11 @@ double LivePlan::unlikenessCost() const
 {
     const LiveDecision& decision = m_player.decision();
     const SimilarityTable& table = *m_graph->tables[decision.source][decision.target];
+    if (!(table.greatest > 0))
+        return 0;
     const double distance = m_player.state().choice.dissimilarity / table.scale(); // see SimilarityTable
     const double beyond = square(distance) * m_vertices - square(m_settings.alike);
-    return table.greatest > 0 ? m_settings.unlikenessWeight * std::max(beyond, 0.0) : 0;
+    return m_settings.unlikenessWeight * std::max(beyond, 0.0);
 }
 
 /// Grows within the margin; what is too close costs more than anything else.

@@ -74,10 +74,6 @@ LivePlayer::LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSetting
 {
     check(m_settings);
     m_settings.search.choices = LiveDecision::mostChoices;
-    m_settings.search.stepsAFrame =
-        stepsAFrame(m_settings.search.steps, m_settings.secondsAcross, m_graph->fps);
-    TransitionSearchSettings responsive = m_settings.search;
-    responsive.latencyWeight = m_settings.responsiveWeight;
     const std::size_t count = m_graph->spaces.size();
     m_links.resize(count);
     for (std::size_t source = 0; source < count; ++source) {
@@ -88,8 +84,12 @@ LivePlayer::LivePlayer(std::shared_ptr<const LiveGraph> graph, const LiveSetting
                 continue;
             const MotionSpace& from = *m_graph->spaces[source];
             const MotionSpace& to = *m_graph->spaces[target];
-            m_links[source][target] = {std::make_unique<TransitionSearch>(table, from, to, m_settings.search),
-                                       std::make_unique<TransitionSearch>(table, from, to, responsive)};
+            TransitionSearchSettings search = m_settings.search;
+            search.stepsAFrame =
+                stepsAFrame(search.steps, m_settings.secondsAcross, std::max(from.fps, to.fps));
+            m_links[source][target].smooth = std::make_unique<TransitionSearch>(table, from, to, search);
+            search.latencyWeight = m_settings.responsiveWeight;
+            m_links[source][target].responsive = std::make_unique<TransitionSearch>(table, from, to, search);
         }
     }
     this->start(start);

@@ -15,11 +15,10 @@ namespace quadrille {
 void movePlaceTowards(const SpacePoint& wanted, const SpacePoint& least, const SpacePoint& greatest,
                       double secondsAcross, double seconds, SpacePoint& place, SpacePoint& pace);
 
-/// How much of its way a place has gone in a transition, after a share of the time: smooth, from rest to
-/// rest.
+/// How much of its way a place has gone in a transition, after a share of its frames: smooth.
 double wayGone(double share);
 /// By how many steps a place moves in a frame on average on such ways, so that at its fastest it is as fast
-/// as when it is steered. \param steps  of an axis.
+/// as when it is steered. \param steps  of an axis. \param fps  of the space.
 double stepsAFrame(int steps, double secondsAcross, double fps);
 
 } // namespace quadrille

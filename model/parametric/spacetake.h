@@ -39,9 +39,9 @@ struct SpaceTakeOptions
 /// Takes the ways over the ground out of an aligned take. Where the space is cyclic, what the frame after the
 /// cycle differs from its first one by is taken out by cubics, in place over the whole cycle and in speed
 /// over an eighth of it on either side: the movement goes through the seam without a jump or a kink. Where
-/// the capture ends with the cycle, the frame after it is guessed by going on as before. \param sequence  the
-/// whole take. \param aligned  that the warp is taken of. \throws Error what reading frames throws,
-/// Cancelled.
+/// the capture ends with the cycle, the frame after it is guessed by going on as before.
+/// \param sequence  the whole take. \param aligned  that the warp is taken of.
+/// \throws Error what reading frames throws, Cancelled.
 SpaceTake makeSpaceTake(const MeshSequence& sequence, const AlignedTake& aligned,
                         const SpaceTakeOptions& options, const Progress& progress = {});
 

@@ -152,7 +152,8 @@ Result transitionReport(const MotionSpace& source, const MotionSpace& target,
     double begin = 0;
     // Places move as when they are played live.
     TransitionSearchSettings smooth;
-    smooth.stepsAFrame = stepsAFrame(smooth.steps, LiveSettings().secondsAcross, source.fps);
+    smooth.stepsAFrame =
+        stepsAFrame(smooth.steps, LiveSettings().secondsAcross, std::max(source.fps, target.fps));
     TransitionSearchSettings responsive = smooth;
     responsive.latencyWeight = LiveSettings().responsiveWeight;
     for (const auto& [kind, settings] : {std::pair("online", smooth), std::pair("responsive", responsive)}) {

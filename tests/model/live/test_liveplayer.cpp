@@ -171,8 +171,7 @@ TEST(LivePlayer, MakesTheTransitionThatTheSearchFinds)
     EXPECT_EQ(decision.source, walking);
     EXPECT_EQ(decision.target, turning);
     TransitionSearch search(graph->tables[walking][turning], *graph->spaces[walking], *graph->spaces[turning],
-                            player.settings().search);
-    EXPECT_DOUBLE_EQ(player.settings().search.stepsAFrame, 10 / (graph->fps * 1.5));
+                            {.stepsAFrame = 10 / (test::swingingFps * 1.5)});
     const auto found = search.search({before.track.phase, before.track.place}, decision.goal);
     ASSERT_EQ(decision.count, found.size());
     for (std::size_t i = 0; i < found.size(); ++i)
