@@ -66,22 +66,32 @@ public:
     }
     void setEditorData(QWidget* editor, const QModelIndex& index) const override
     {
-        // What is being typed is not taken back when a result arrives meanwhile.
-        const auto* typed = editor->findChild<QLineEdit*>();
-        if (typed == nullptr || !typed->isModified())
-            static_cast<QDoubleSpinBox*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
+        // What was typed is not taken back when a result arrives meanwhile, nor before it is taken over.
+        auto* field = static_cast<QDoubleSpinBox*>(editor);
+        const auto* line = field->findChild<QLineEdit*>();
+        if (!isEdited(*field) && (line == nullptr || !line->isModified())) {
+            field->setValue(index.data(Qt::EditRole).toDouble());
+            field->setProperty(filledWith, field->value());
+        }
     }
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override
     {
         auto* field = static_cast<QDoubleSpinBox*>(editor);
         field->interpretText();
         // A time that is not of three decimals stays what it was while nobody changes it.
-        const double before = index.data(Qt::EditRole).toDouble();
-        if (std::abs(field->value() - before) > 0.0005)
+        if (isEdited(*field))
             model->setData(index, field->value(), Qt::EditRole);
     }
 
 private:
+    static constexpr const char* filledWith = "filledWith";
+
+    static bool isEdited(const QDoubleSpinBox& field)
+    {
+        const QVariant filled = field.property(filledWith);
+        return filled.isValid() && std::abs(field.value() - filled.toDouble()) > 0.0005;
+    }
+
     CurrentAnimation& m_animation;
 };
 
