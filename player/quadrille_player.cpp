@@ -66,6 +66,12 @@ LiveInput inputOf(const QuadrilleInput& input)
     return own;
 }
 
+QuadrilleFrame frameOf(const QuadrillePlayer& player, const LiveProvenance& provenance)
+{
+    const BakedFrame& frame = player.baked.frameOf(provenance);
+    return {frame.sequence.c_str(), frame.frame, frame.isMirrored ? 1U : 0U, frame.picture, provenance.share};
+}
+
 void tell(const char* sentence, char* error, std::size_t size)
 {
     if (size == 0)
@@ -225,9 +231,15 @@ void quadrille_player_root(const QuadrillePlayer* player, QuadrilleRoot* out)
 
 void quadrille_player_frame(const QuadrillePlayer* player, QuadrilleFrame* out)
 {
-    const LiveProvenance provenance = player->player.provenance();
-    const BakedFrame& frame = player->baked.frameOf(provenance);
-    *out = {frame.sequence.c_str(), frame.frame, frame.isMirrored ? 1U : 0U, frame.picture, provenance.share};
+    *out = frameOf(*player, player->player.provenance());
+}
+
+double quadrille_player_look(const QuadrillePlayer* player, QuadrilleFrame* first, QuadrilleFrame* second)
+{
+    const LiveLook look = player->player.look();
+    *first = frameOf(*player, look.first);
+    *second = frameOf(*player, look.second);
+    return look.weight;
 }
 
 int quadrille_player_transition(const QuadrillePlayer* player, QuadrilleTransition* out)

@@ -119,6 +119,11 @@ QUADRILLE_API void quadrille_player_pose(QuadrillePlayer* player, float* positio
 QUADRILLE_API void quadrille_player_surface(QuadrillePlayer* player, float* positions, float* normals);
 QUADRILLE_API void quadrille_player_root(const QuadrillePlayer* player, QuadrilleRoot* out);
 QUADRILLE_API void quadrille_player_frame(const QuadrillePlayer* player, QuadrilleFrame* out);
+/* Two captured frames whose textures the pose fades between; the same ones where it has one.
+ * Their shares are of the whole pose. Returns the
+ * weight of the second's texture, 0 … 0.5: it changes without jumps while frames follow each other. */
+QUADRILLE_API double quadrille_player_look(const QuadrillePlayer* player, QuadrilleFrame* first,
+                                           QuadrilleFrame* second);
 /* Returns 0 where none was decided yet. */
 QUADRILLE_API int quadrille_player_transition(const QuadrillePlayer* player, QuadrilleTransition* out);
 

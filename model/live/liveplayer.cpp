@@ -18,12 +18,6 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// Smooth from 0 to 1, with no speed and no acceleration at either end.
-double fadeWeight(double t)
-{
-    return t * t * t * (t * (6 * t - 15) + 10);
-}
-
 SpacePoint between(const SpacePoint& a, const SpacePoint& b, double share)
 {
     SpacePoint place;
@@ -340,7 +334,7 @@ void LivePlayer::pose(MutablePositions out)
     if (m_state.fade >= 1)
         return;
     poseOf(m_state.left, m_other);
-    const auto weight = static_cast<float>(fadeWeight(m_state.fade));
+    const auto weight = static_cast<float>(m_state.takenOver());
     for (std::size_t v = 0; v < out.size(); ++v)
         out[v] = m_other[v] + weight * (out[v] - m_other[v]);
 }
@@ -349,24 +343,7 @@ GroundMotion LivePlayer::root() const
 {
     if (m_state.fade >= 1)
         return m_state.track.root;
-    return m_state.left.root *
-           partOf(m_state.left.root.inverse() * m_state.track.root, fadeWeight(m_state.fade));
-}
-
-LiveProvenance LivePlayer::provenance() const
-{
-    const LiveTrack& track = fadeWeight(m_state.fade) < 0.5 ? m_state.left : m_state.track;
-    const MotionSpace& space = spaceOf(track);
-    const NodeWeights weights = space.weights.at(track.place);
-    std::array<double, WeightSpace::mostTakes> shares{};
-    for (std::size_t n = 0; n < static_cast<std::size_t>(weights.count); ++n) {
-        for (const BlendShare& share :
-             space.weights.nodes()[static_cast<std::size_t>(weights.nodes[n])].shares)
-            shares[share.take] += weights.weights[n] * share.share;
-    }
-    const auto greatest = std::ranges::max_element(shares);
-    return {track.space, static_cast<std::size_t>(greatest - shares.begin()),
-            nearestFrame(track.phase, space.frameCount(), space.isCyclic), *greatest};
+    return m_state.left.root * partOf(m_state.left.root.inverse() * m_state.track.root, m_state.takenOver());
 }
 
 void perform(LivePlayer& player, std::span<const LiveInput> inputs,

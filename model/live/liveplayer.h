@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/live/livegraph.h"
-#include "model/live/livestate.h"
+#include "model/live/liveorigin.h"
 
 #include <functional>
 #include <memory>
@@ -53,7 +53,8 @@ public:
     void pose(MutablePositions out);
     /// Takes the body to where it is.
     GroundMotion root() const;
-    LiveProvenance provenance() const;
+    LiveProvenance provenance() const { return provenanceOf(*m_graph, m_state); }
+    LiveLook look() const { return lookOf(*m_graph, m_state); }
     /// The last one; without any choices before the first.
     const LiveDecision& decision() const { return m_decision; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "model/core/smoothstep.h"
 #include "model/live/livesettings.h"
 
 #include <array>
@@ -50,6 +51,9 @@ struct LiveState
     SpacePoint homeParameters{};
     std::int64_t decisions = 0; ///< that were made
 
+    /// How much of the pose is of the track, 0 … 1.
+    double takenOver() const { return smoothStep(fade); }
+
     bool operator==(const LiveState&) const = default;
 };
 
@@ -77,17 +81,6 @@ struct LiveDecision
     /// The best of those that go on in the source for longer than the one that was chosen; null where that is
     /// none of them.
     const TransitionChoice* goingOn() const;
-};
-
-/// The captured frame that a pose is most like: of the take with the greatest share.
-struct LiveProvenance
-{
-    std::size_t space = 0;
-    std::size_t take = 0;
-    std::size_t frame = 0; ///< of the space
-    double share = 0;
-
-    bool operator==(const LiveProvenance&) const = default;
 };
 
 } // namespace quadrille

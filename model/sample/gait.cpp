@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/gait.h"
 
+#include "model/core/smoothstep.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,8 +16,7 @@ constexpr double tau = 2 * std::numbers::pi;
 
 double ease(double t)
 {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * t * (t * (6 * t - 15) + 10);
+    return smoothStep(std::clamp(t, 0.0, 1.0));
 }
 
 double lerp(double a, double b, double t)

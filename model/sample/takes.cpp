@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/sample/takes.h"
 
+#include "model/core/smoothstep.h"
 #include "model/sample/gait.h"
 #include "model/sample/noise.h"
 
@@ -15,8 +16,7 @@ namespace {
 /// A curve from 0 to 1 between two times with no speed at its ends.
 double ramp(double time, double from, double to)
 {
-    const double t = std::clamp((time - from) / (to - from), 0.0, 1.0);
-    return t * t * t * (t * (6 * t - 15) + 10);
+    return smoothStep(std::clamp((time - from) / (to - from), 0.0, 1.0));
 }
 
 /// Slow wandering of the upper body, as nobody holds still or repeats himself exactly.

@@ -143,6 +143,10 @@ TEST_F(PlayerFile, SaysWhatThereIs)
     QuadrilleFrame frame{};
     quadrille_player_frame(player.get(), &frame);
     EXPECT_STREQ(frame.sequence, "walk");
+    QuadrilleFrame other{};
+    EXPECT_LE(quadrille_player_look(player.get(), &frame, &other), 0.5);
+    EXPECT_STREQ(frame.sequence, "walk");
+    EXPECT_LE(other.share, frame.share);
     std::size_t size = 0;
     const void* picture = quadrille_player_texture(player.get(), frame.texture, &size);
     ASSERT_EQ(size, 5U);
@@ -204,10 +208,12 @@ TEST_F(PlayerFile, AllocatesNothingWhileItPlays)
     const std::size_t before = test::allocationCount();
     QuadrilleInput input{};
     QuadrilleFrame frame{};
+    QuadrilleFrame other{};
     for (std::int64_t t = 0; quadrille_player_recorded(player.get(), t, &input) != 0; ++t) {
         quadrille_player_tick(player.get(), &input);
         quadrille_player_surface(player.get(), pose.data(), normals.data());
         quadrille_player_frame(player.get(), &frame);
+        quadrille_player_look(player.get(), &frame, &other);
         quadrille_player_save(player.get(), state.data());
         quadrille_player_restore(player.get(), state.data());
     }

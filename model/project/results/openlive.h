@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/live/livegraph.h"
-#include "model/live/livestate.h"
+#include "model/live/liveorigin.h"
 #include "model/project/results/projectresults.h"
 #include "model/sequence/meshsequence.h"
 

@@ -64,7 +64,7 @@ BuildStep liveStep(const StepMaking& making, const LiveEntry& entry)
     step.name = clipStepOf(clip);
     step.dataPrefix = clip;
     step.character = characterNameOf(making.opener->project(), entry);
-    step.version = 3;
+    step.version = 4;
     LiveEntry nameless = entry;
     nameless.name.clear();
     nameless.spaces.clear();

@@ -10,6 +10,7 @@
 #include "model/project/steps/motionspacesteps.h"
 #include "model/sequence/contacts.h"
 #include "model/synthesis/clips/characterlegs.h"
+#include "model/synthesis/clips/frameprovenance.h"
 #include "model/synthesis/finishing/contactcorrection.h"
 
 #include <algorithm>
@@ -176,6 +177,12 @@ FrameProvenance LiveTakes::of(const LiveProvenance& provenance, const LiveGraph&
     return {.source = frame, .destination = frame, .lambda = 0, .mirrored = entry.isMirrored};
 }
 
+FrameProvenance LiveTakes::of(const LiveLook& look, const LiveGraph& graph,
+                              const std::vector<const MotionSpaceEntry*>& spaces) const
+{
+    return originBetween(of(look.first, graph, spaces), of(look.second, graph, spaces), look.weight);
+}
+
 PerformedLive performLive(const std::shared_ptr<const LiveGraph>& graph, const LiveEntry& entry,
                           const Project& project, const LiveTakes& takes, const Progress& progress)
 {
@@ -188,6 +195,7 @@ PerformedLive performLive(const std::shared_ptr<const LiveGraph>& graph, const L
     made.clip.topology = takes.frames().sequences().front().topology;
     made.clip.fps = project.settings.fps;
     const std::size_t vertices = graph->vertexCount();
+    std::vector<FrameProvenance> looks;
     const auto take = [&](LivePlayer& played) {
         if (played.state().decisions != static_cast<std::int64_t>(made.decisions.size()))
             made.decisions.push_back(played.decision());
@@ -198,11 +206,13 @@ PerformedLive performLive(const std::shared_ptr<const LiveGraph>& graph, const L
         made.clip.positions.resize(begin + vertices);
         played.pose(MutablePositions(made.clip.positions).subspan(begin, vertices));
         made.clip.origins.push_back(takes.of(played.provenance(), *graph, spaces));
+        looks.push_back(takes.of(played.look(), *graph, spaces));
         made.states.push_back(played.state());
     };
     perform(player, inputs, take, progress.part(0, 0.4));
     if (entry.correctsContacts)
         made.clip = withStandingFeet(std::move(made.clip), takes, graph->up(), progress.part(0.4, 1));
+    made.clip.looks = std::move(looks);
     return made;
 }
 

@@ -50,6 +50,9 @@ public:
     /// \param spaces  of the player's graph, as the entry lists them.
     FrameProvenance of(const LiveProvenance& provenance, const LiveGraph& graph,
                        const std::vector<const MotionSpaceEntry*>& spaces) const;
+    /// Both frames of a look; the first one alone where only one of them is mirrored.
+    FrameProvenance of(const LiveLook& look, const LiveGraph& graph,
+                       const std::vector<const MotionSpaceEntry*>& spaces) const;
 
 private:
     std::vector<std::string> m_names;

@@ -14,7 +14,9 @@ namespace quadrille {
 
 namespace {
 
-/// Columns of the table “frames”.
+constexpr const char* looksName = "textures";
+
+/// Columns of the table “frames”; that of textures has the same ones up to the weight.
 enum Column : std::size_t
 {
     FrameColumn,
@@ -34,6 +36,29 @@ const DataArray& column(const Result& result, Column which)
     return result.tables.front().columns[which];
 }
 
+TableBuilder provenanceTable(const char* name, const char* description)
+{
+    TableBuilder table(name, description);
+    table.whole("frame", "frame").text("sequence").whole("source-frame", "frame");
+    table.text("destination-sequence").whole("destination-frame", "frame").real("lambda");
+    return table;
+}
+
+/// Cells of its columns.
+std::vector<TableBuilder::Cell> provenanceCells(std::int64_t frame, const FrameProvenance& origin,
+                                                const FrameLayout& layout,
+                                                const std::vector<std::string>& sequences)
+{
+    const int source = layout.sequenceOf(origin.source);
+    const int destination = layout.sequenceOf(origin.destination);
+    return {frame,
+            sequences[static_cast<std::size_t>(source)],
+            std::int64_t{origin.source - layout.firstOf(source)},
+            sequences[static_cast<std::size_t>(destination)],
+            std::int64_t{origin.destination - layout.firstOf(destination)},
+            origin.lambda};
+}
+
 /// The frame of a character that a sequence and a frame of it are; nothing where there is none.
 std::optional<NodeIndex> nodeOf(const std::string& sequence, std::int64_t frame,
                                 std::span<const MeshSequence> sequences, const FrameLayout& layout)
@@ -44,6 +69,30 @@ std::optional<NodeIndex> nodeOf(const std::string& sequence, std::int64_t frame,
             return layout.firstOf(index) + static_cast<NodeIndex>(frame);
     }
     return std::nullopt;
+}
+
+/// What a table of provenances says; nothing where it names a frame that is not there.
+std::optional<std::vector<FrameProvenance>>
+provenancesIn(const DataTable& table, std::span<const MeshSequence> sequences, const FrameLayout& layout)
+{
+    const auto texts = [&](Column which) -> const TextColumn& {
+        return std::get<TextColumn>(table.columns[which].values);
+    };
+    const auto frames = [&](Column which) -> const std::vector<std::int64_t>& {
+        return std::get<std::vector<std::int64_t>>(table.columns[which].values);
+    };
+    const auto& lambdas = std::get<std::vector<double>>(table.columns[LambdaColumn].values);
+    std::vector<FrameProvenance> origins;
+    origins.reserve(lambdas.size());
+    for (std::size_t f = 0; f < lambdas.size(); ++f) {
+        const auto source = nodeOf(texts(SequenceColumn)[f], frames(SourceColumn)[f], sequences, layout);
+        const auto destination =
+            nodeOf(texts(OtherSequenceColumn)[f], frames(DestinationColumn)[f], sequences, layout);
+        if (!source || !destination)
+            return std::nullopt;
+        origins.push_back({.source = *source, .destination = *destination, .lambda = lambdas[f]});
+    }
+    return origins;
 }
 
 /// The variations that origins of a clip count, as their numbers do not matter: each once.
@@ -66,10 +115,10 @@ std::vector<std::string> variationsIn(const Result& result)
 Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector<std::string>& sequences,
                   const std::string& unit, std::span<const std::string> variations)
 {
-    TableBuilder table("frames", "Where each frame of the clip comes from: a captured frame, or the weight "
-                                 "lambda of the second of two.");
-    table.whole("frame", "frame").text("sequence").whole("source-frame", "frame");
-    table.text("destination-sequence").whole("destination-frame", "frame").real("lambda").text("mirrored");
+    TableBuilder table =
+        provenanceTable("frames", "Where each frame of the clip comes from: a captured frame, or the weight "
+                                  "lambda of the second of two.");
+    table.text("mirrored");
     table.real("centre-x", unit).real("centre-y", unit).real("centre-z", unit);
     if (!variations.empty())
         table.text("variation").text("destination-variation");
@@ -78,19 +127,11 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     };
     for (std::int64_t f = 0; f < clip.frameCount(); ++f) {
         const FrameProvenance& origin = clip.origins[static_cast<std::size_t>(f)];
-        const int source = layout.sequenceOf(origin.source);
-        const int destination = layout.sequenceOf(origin.destination);
         const Vec3d centre = centroid(clip.frame(f));
-        std::vector<TableBuilder::Cell> cells{f,
-                                              sequences[static_cast<std::size_t>(source)],
-                                              std::int64_t{origin.source - layout.firstOf(source)},
-                                              sequences[static_cast<std::size_t>(destination)],
-                                              std::int64_t{origin.destination - layout.firstOf(destination)},
-                                              origin.lambda,
-                                              origin.mirrored ? "yes" : "no",
-                                              centre.x(),
-                                              centre.y(),
-                                              centre.z()};
+        std::vector<TableBuilder::Cell> cells = provenanceCells(f, origin, layout, sequences);
+        cells.emplace_back(origin.mirrored ? "yes" : "no");
+        for (const double coordinate : centre)
+            cells.emplace_back(coordinate);
         if (!variations.empty()) {
             cells.emplace_back(variationOf(origin.sourceVariation));
             cells.emplace_back(variationOf(origin.destinationVariation));
@@ -110,6 +151,14 @@ Result clipResult(const Clip& clip, const FrameLayout& layout, const std::vector
     Result result;
     result.arrays = {std::move(positions)};
     result.tables = {std::move(table).table()};
+    if (clip.looks.empty())
+        return result;
+    TableBuilder looks =
+        provenanceTable(looksName, "Where the texture of each frame comes from: a captured frame's, or what "
+                                   "lies at the weight lambda of the second between two.");
+    for (std::size_t f = 0; f < clip.looks.size(); ++f)
+        looks.add(provenanceCells(static_cast<std::int64_t>(f), clip.looks[f], layout, sequences));
+    result.tables.push_back(std::move(looks).table());
     return result;
 }
 
@@ -130,22 +179,15 @@ std::optional<Clip> clipOf(const Result& result, std::span<const MeshSequence> s
     const auto texts = [&](Column which) -> const TextColumn& {
         return std::get<TextColumn>(column(result, which).values);
     };
-    const auto frames = [&](Column which) -> const std::vector<std::int64_t>& {
-        return std::get<std::vector<std::int64_t>>(column(result, which).values);
-    };
-    const auto& lambdas = std::get<std::vector<double>>(column(result, LambdaColumn).values);
-    for (std::size_t f = 0; f < lambdas.size(); ++f) {
-        const auto source =
-            nodeOf(texts(SequenceColumn)[f], frames(SourceColumn)[f], sequences, character.layout());
-        const auto destination = nodeOf(texts(OtherSequenceColumn)[f], frames(DestinationColumn)[f],
-                                        sequences, character.layout());
-        if (!source || !destination)
-            return std::nullopt;
-        clip.origins.push_back({.source = *source,
-                                .destination = *destination,
-                                .lambda = lambdas[f],
-                                .mirrored = texts(MirroredColumn)[f] == "yes"});
-    }
+    auto origins = provenancesIn(result.tables.front(), sequences, character.layout());
+    if (!origins)
+        return std::nullopt;
+    clip.origins = std::move(*origins);
+    for (std::size_t f = 0; f < clip.origins.size(); ++f)
+        clip.origins[f].mirrored = texts(MirroredColumn)[f] == "yes";
+    const auto looks = std::ranges::find(result.tables, looksName, &DataTable::name);
+    if (looks != result.tables.end())
+        clip.looks = provenancesIn(*looks, sequences, character.layout()).value_or(clip.origins);
     if (variations.empty())
         return clip;
     const auto numberOf = [&](const std::string& name) {

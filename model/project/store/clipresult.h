@@ -14,7 +14,8 @@
 
 namespace quadrille {
 
-/// A clip as a result: the array “positions” and the table “frames”, which says where each frame comes from.
+/// A clip as a result: the array “positions” and the table “frames”, which says where each frame comes from;
+/// where textures come from elsewhere, the table “textures”, too.
 /// \param sequences  names, in the order of the layout that the origins count.
 /// \param variations  names of the variations that the origins count; without any there are no columns of
 /// them.

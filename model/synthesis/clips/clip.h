@@ -42,6 +42,8 @@ struct Clip
     double fps = 25;
     std::vector<Vec3f> positions;         ///< frames × vertices, metres
     std::vector<FrameProvenance> origins; ///< of each frame
+    /// Where the texture of each frame comes from; none: from its origin.
+    std::vector<FrameProvenance> looks;
 
     std::int64_t frameCount() const { return static_cast<std::int64_t>(origins.size()); }
     Positions frame(std::int64_t frame) const;
@@ -51,11 +53,11 @@ struct Clip
 /// The clip of a variation, whose origins count none, as one that shows it in all frames.
 Clip shownAsVariation(Clip clip);
 
-/// The clip as a sequence, which takes each frame's texture, labels and contacts from its origin: contacts
-/// are those of stancesOf, labels those of the nearer one. Frames of variations have the texture of their
-/// pose where the textures' blender knows one. Where all origins' sequences have one texture, or
-/// the same ones for each material, so has the clip; otherwise it has one for each frame (of the first
-/// material). \param character  the frames that the origins count.
+/// The clip as a sequence, which takes each frame's labels and contacts from its origin, and its texture from
+/// its look: contacts are those of stancesOf, labels those of the nearer one. Frames of variations have the
+/// texture of their pose where the textures' blender knows one. Where all origins' sequences have one
+/// texture, or the same ones for each material, so has the clip; otherwise it has one for each frame (of the
+/// first material). \param character  the frames that the origins count.
 MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& character);
 /// Its contacts alone.
 std::vector<ContactSpan> contactsOf(const Clip& clip, const CharacterFrames& character);

@@ -161,7 +161,7 @@ MeshSequence toSequence(std::string name, Clip clip, const CharacterFrames& char
     std::vector<ContactSpan> contacts = contactsOf(clip, character);
     const std::uint32_t vertexCount = clip.topology->vertexCount();
     const auto poses = std::make_shared<const MemoryFrames>(std::move(clip.positions), vertexCount);
-    TextureSet textures = texturesOf(clip.origins, character, poses);
+    TextureSet textures = texturesOf(clip.looks.empty() ? clip.origins : clip.looks, character, poses);
     MeshSequence sequence = makeSequence(std::move(name), std::move(clip.topology), poses, clip.fps);
     sequence.textures = std::move(textures);
     sequence.labels = spansOf<LabelSpan>(labels);

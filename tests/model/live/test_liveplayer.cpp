@@ -240,6 +240,7 @@ TEST(LivePlayer, AllocatesNothing)
         player.tick(input);
         player.pose(pose);
         player.provenance();
+        player.look();
     }
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_GT(player.state().decisions, 20);

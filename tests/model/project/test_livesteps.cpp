@@ -66,6 +66,21 @@ TEST_F(LiveSteps, MakeAClipWithItsReport)
                 ::testing::Each(::testing::AnyOf("slow", "fast")));
 }
 
+TEST_F(LiveSteps, SayBetweenWhichTexturesEachFrameLies)
+{
+    run("live");
+    const auto weights = column<double>("live/stroll/textures", "lambda");
+    ASSERT_EQ(weights.size(), 101U);
+    EXPECT_THAT(weights, ::testing::Each(::testing::AllOf(::testing::Ge(0), ::testing::Le(0.5))));
+    EXPECT_GT(weights.front(), 0); // walking at a speed between those of the takes
+    EXPECT_EQ(column<std::string>("live/stroll/textures", "sequence").front(), "fast");
+    EXPECT_EQ(column<std::string>("live/stroll/textures", "destination-sequence").front(), "slow");
+    EXPECT_EQ(weights[50], 0); // one take alone
+    SequenceOpener opened = opener();
+    const MeshSequence clip = opened.openClip("live/stroll")->sequence;
+    EXPECT_EQ(clip.frameCount(), 101);
+}
+
 TEST_F(LiveSteps, MakeTheSameBytesAgain)
 {
     run("live");

@@ -164,6 +164,15 @@ TEST(ClipSequence, SharesTexturesOfMaterials)
     EXPECT_EQ(filesOf(sequence.textures), (std::vector<std::string>{"m0", "m1"}));
 }
 
+TEST(ClipSequence, HasTheTexturesOfItsLooks)
+{
+    const std::vector<MeshSequence> takes = texturedTakes(std::make_shared<NamingBlender>());
+    Clip clip = clipOf(takes, {{.source = 3, .destination = 3}, {.source = 3, .destination = 3}});
+    clip.looks = {{.source = 3, .destination = 25, .lambda = 0.3}, {.source = 4, .destination = 4}};
+    const MeshSequence sequence = toSequence("mix", clip, CharacterFrames(takes));
+    EXPECT_EQ(filesOf(sequence.textures), (std::vector<std::string>{"a3=x4-b6=y6-30", "x5"}));
+}
+
 TEST(ClipSequence, TakesTheTextureOfTheNearerFrame)
 {
     std::vector<MeshSequence> takes = twoTakes();
