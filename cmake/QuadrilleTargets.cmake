@@ -39,6 +39,11 @@ if(memory GREATER_EQUAL 4096)
     target_compile_options(quadrille_options INTERFACE
         $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576$<SEMICOLON>--param=ggc-min-expand=200>)
 endif()
+# Links in a fifth of the time.
+find_program(MOLD_PROGRAM mold)
+if(MOLD_PROGRAM)
+    target_link_options(quadrille_options INTERFACE -fuse-ld=mold)
+endif()
 if(QUADRILLE_SANITIZE)
     # Instrumented code makes GCC see uninitialized values where there are none.
     target_compile_options(quadrille_options INTERFACE
