@@ -54,7 +54,15 @@ MainWindow::MainWindow(QWidget* parent)
           new ProjectFiles(m_context.document, m_context.jobs, m_context.issues, m_context.settings, this))
     , m_import(new ImportFlow(m_context, this))
     , m_export(new ExportFlow(
-          m_context, [this] { return m_workspaces ? &m_workspaces->currentWorkspace()->view() : nullptr; },
+          m_context,
+          [this] {
+              Workspace* front = workspaceInFront();
+              return front == nullptr ? nullptr : &front->view();
+          },
+          [this] {
+              const Workspace* front = workspaceInFront();
+              return front == nullptr ? QString() : front->shownClip();
+          },
           this))
     , m_relink(new RelinkFlow(m_context, this))
     , m_results(new ResultsFlow(m_context, this))
@@ -98,13 +106,19 @@ MainWindow::~MainWindow()
     delete statusBar();
 }
 
+Workspace* MainWindow::workspaceInFront() const
+{
+    return m_workspaces == nullptr ? nullptr : m_workspaces->currentWorkspace();
+}
+
 void MainWindow::open(const QStringList& files)
 {
-    m_sequences->view().playWhenReady();
     QStringList sequences = files;
     openProjects(sequences);
-    if (!sequences.isEmpty())
-        m_import->open(sequences);
+    if (sequences.isEmpty())
+        return;
+    m_sequences->view().playWhenReady();
+    m_import->open(sequences);
 }
 
 /// Opens the projects among some files and takes them out.

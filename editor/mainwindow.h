@@ -34,6 +34,7 @@ class SessionKeeper;
 class StatusJobs;
 class VariationsWorkspace;
 class WelcomePage;
+class Workspace;
 class WorkspaceTabs;
 
 namespace widgets {
@@ -80,6 +81,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    /// Null until there are workspaces.
+    Workspace* workspaceInFront() const;
     void makeCentre();
     void makeDocks();
     void makeWorkspaces();
@@ -102,6 +105,7 @@ private:
     Autosave m_autosave;
     ProjectFiles* m_files;
     ImportFlow* m_import;
+    WorkspaceTabs* m_workspaces = nullptr;
     ExportFlow* m_export;
     RelinkFlow* m_relink;
     ResultsFlow* m_results;
@@ -110,7 +114,6 @@ private:
     QStackedWidget* m_pages = nullptr;
     WelcomePage* m_welcome = nullptr;
     SampleFlow* m_sample = nullptr;
-    WorkspaceTabs* m_workspaces = nullptr;
     SequencesWorkspace* m_sequences = nullptr;
     GraphWorkspace* m_graph = nullptr;
     AnimateWorkspace* m_animate = nullptr;

@@ -4175,7 +4175,7 @@
     </message>
     <message>
         <source>Out of date: the model is of other settings or textures</source>
-        <translation>Périmé : le modèle est d’autres réglages ou d’autres textures</translation>
+        <translation>Périmé : le modèle vient d’autres réglages ou d’autres textures</translation>
     </message>
     <message>
         <source>Not built yet</source>

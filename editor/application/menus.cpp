@@ -146,7 +146,7 @@ void Menus::addVariations()
                 "variations.discard", "variations.addSequence"});
     addSubmenu(*variations, "latentMenu", [] { return tr("&Latent space"); },
                {"variations.original", "variations.confidence", "variations.frameLatent"});
-    fill(*variations, {"", "variations.export", "", "motionSpaces.new"});
+    fill(*variations, {"", "variations.export"});
 }
 
 void Menus::addAppearance()
@@ -175,7 +175,8 @@ void Menus::addTransfer()
 void Menus::addLive()
 {
     addMenu("liveMenu", [] { return tr("&Live"); },
-            {"live.run", "live.record", "live.restart", "", "live.addSequence", "live.export"});
+            {"live.run", "live.record", "live.restart", "", "motionSpaces.new", "", "live.addSequence",
+             "live.export"});
 }
 
 void Menus::addLanguages()

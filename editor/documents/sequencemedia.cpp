@@ -6,6 +6,7 @@
 #include "model/project/document/findentry.h"
 #include "model/project/document/madeclips.h"
 #include "model/project/document/paths.h"
+#include "model/project/results/projectresults.h"
 #include "model/project/steps/resultsession.h"
 #include "model/project/store/appearanceresult.h"
 #include "model/project/store/resultplaces.h"
@@ -107,7 +108,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
         source.entry.character = entry.character;
         source.parts = partsOfClip(document().project(), *clip);
         if (!source.parts->animations.empty() || !source.parts->variations.empty() ||
-            !source.parts->transfers.empty() || !source.parts->projections.empty())
+            !source.parts->lives.empty() || !source.parts->transfers.empty() ||
+            !source.parts->projections.empty())
             source.results = cacheFolder(document().workingFile());
         const ResultStore store(source.results);
         const auto addTime = [&](const std::string& step) {
@@ -122,6 +124,8 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             addClip("animations/" + animation.name);
         for (const VariationEntry& variation : source.parts->variations)
             addClip("variations/" + variation.name);
+        for (const LiveEntry& live : source.parts->lives)
+            addClip("live/" + live.name);
         for (const TransferEntry& transfer : source.parts->transfers)
             addClip("transfers/" + transfer.name);
         for (const ProjectionEntry& projection : source.parts->projections)
@@ -187,12 +191,23 @@ void SequenceMedia::open(const QString& name, Item& item)
     item.untrimmed.reset();
     item.sequence.reset();
     item.issues.clear();
+    // Nobody else brings the clips of performances up to date.
+    std::optional<WorkingProject> performed;
+    if (item.source->parts && !item.source->parts->lives.empty())
+        performed = document().working();
     start(
         name, item, {.text = tr("Opening “%1”").arg(name)},
-        [source = *item.source, sources = document().session().sources()](
-            const Progress& progress, const Post& /*post*/) { return openWhole(source, sources, progress); },
+        [source = *item.source, sources = document().session().sources(), performed](const Progress& progress,
+                                                                                     const Post& /*post*/) {
+            if (performed)
+                ProjectResults(*performed)
+                    .get(clipStepsOf(*source.parts, *clipOfSource(source.entry.source)),
+                         progress.part(0, 0.9));
+            return openWhole(source, sources, progress);
+        },
         [this](const QString& current, std::shared_ptr<const OpenedSequence> opened) {
             Item& done = *find<Item>(current);
+            done.source = sourceOf(done.entry); // its clip may have been computed just now
             done.whole = opened->sequence;
             done.issues = opened->issues;
             done.opened = std::move(opened);

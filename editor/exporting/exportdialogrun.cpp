@@ -272,8 +272,11 @@ void ExportDialog::finish(const std::vector<ExportEntry>& entries, const std::ve
     setBusy(false);
     m_isDone = true;
     m_folder = files.isEmpty() ? QString() : QFileInfo(files.front()).absolutePath();
-    const QString written = tr("%n file(s) written, “%1” the first.", nullptr, static_cast<int>(files.size()))
-                                .arg(QFileInfo(files.value(0)).fileName());
+    const QString first = QFileInfo(files.value(0)).fileName();
+    const QString written =
+        files.size() == 1
+            ? tr("“%1” is written.").arg(first)
+            : tr("%n file(s) written, “%1” the first.", nullptr, static_cast<int>(files.size())).arg(first);
     m_strip->show(hasWarnings ? widgets::MessageStrip::Kind::Warning : widgets::MessageStrip::Kind::Info,
                   written, remarks.join(QLatin1Char(' ')));
     m_strip->setAction(tr("Show in folder"));

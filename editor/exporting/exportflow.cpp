@@ -13,8 +13,13 @@
 
 namespace quadrille {
 
-ExportFlow::ExportFlow(EditorContext& context, std::function<SceneView*()> view, QWidget* window)
-    : QObject(window), m_context(context), m_view(std::move(view)), m_window(window)
+ExportFlow::ExportFlow(EditorContext& context, std::function<SceneView*()> view,
+                       std::function<QString()> shownClip, QWidget* window)
+    : QObject(window)
+    , m_context(context)
+    , m_view(std::move(view))
+    , m_shownClip(std::move(shownClip))
+    , m_window(window)
 {
     context.actions.add({"file.export",
                          [] { return tr("File"); },
@@ -66,6 +71,8 @@ QStringList ExportFlow::selectedClips() const
         if (selection.current().section == section && !selection.current().name.isEmpty())
             return {QLatin1String(prefix) + selection.current().name};
     }
+    if (const QString clip = m_shownClip(); !clip.isEmpty())
+        return {clip};
     QStringList names = selection.sequences();
     if (names.isEmpty() && !selection.shownSequence().isEmpty())
         names = {selection.shownSequence()};

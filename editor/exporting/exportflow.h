@@ -23,7 +23,9 @@ class ExportFlow : public QObject
 public:
     /// \param window what dialogs belong to.
     /// \param view    the view in front, whose camera films begin with; null when there is none.
-    ExportFlow(EditorContext& context, std::function<SceneView*()> view, QWidget* window);
+    /// \param shownClip  what the workspace in front works on, "SECTION/NAME"; empty where that is takes.
+    ExportFlow(EditorContext& context, std::function<SceneView*()> view, std::function<QString()> shownClip,
+               QWidget* window);
 
     /// Asks how some clips shall go out, each "sequences/NAME" or "animations/NAME", or "variations/NAME".
     /// \pre There is a clip.
@@ -36,7 +38,7 @@ signals:
 
 private:
     void exportSelection();
-    /// What is selected, else what is shown.
+    /// The clip that is selected, else what the workspace works on, else takes that are selected or shown.
     QStringList selectedClips() const;
     void updateAction();
 
@@ -45,6 +47,7 @@ private:
 
     EditorContext& m_context;
     std::function<SceneView*()> m_view;
+    std::function<QString()> m_shownClip;
     QWidget* m_window;
     QString m_format = QStringLiteral("gltf"); ///< that was chosen last
     QString m_folder;

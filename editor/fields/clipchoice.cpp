@@ -51,6 +51,7 @@ void listClips(QComboBox& box, const Project& project, const QStringList& planne
         {Texts::tr("Takes"), clipsOf(project.sequences, QStringLiteral("sequences/"))},
         {Texts::tr("Animations"), clipsOf(project.animations, QStringLiteral("animations/"))},
         {Texts::tr("Variations"), clipsOf(project.variations, QStringLiteral("variations/"))},
+        {Texts::tr("Live performances"), clipsOf(project.lives, QStringLiteral("live/"))},
         {Texts::tr("Transfers"), clipsOf(project.transfers, QStringLiteral("transfers/"))},
         {Texts::tr("Projections"), clipsOf(project.projections, QStringLiteral("projections/"))}};
     const auto count = std::count_if(std::begin(kinds), std::end(kinds),

@@ -6,6 +6,7 @@
 #include "editor/context/editorcontext.h"
 #include "editor/fields/axesfields.h"
 #include "model/project/document/findentry.h"
+#include "widgets/controls/breakable.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -133,7 +134,7 @@ void LivePage::show(const QString& name)
     QStringList spaces;
     for (const std::string& space : entry().spaces)
         spaces += QString::fromStdString(space);
-    m_spaces->setText(spaces.join(QStringLiteral(" · ")));
+    m_spaces->setText(widgets::breakable(spaces.join(QStringLiteral(" · "))));
     const double seconds = static_cast<double>(entry().ticks - entry().from) /
                            (context().document.project().settings.fps * entry().ticksPerFrame);
     m_length->setText(tr("%1 s, steered %n time(s)", nullptr, static_cast<int>(entry().inputs.size()) - 1)

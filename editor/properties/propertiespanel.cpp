@@ -17,6 +17,7 @@
 #include "editor/properties/sequencepage.h"
 #include "editor/properties/transferpage.h"
 #include "editor/properties/variationpage.h"
+#include "widgets/controls/breakable.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -105,7 +106,7 @@ void PropertiesPanel::refresh()
         return;
     }
     PropertyForm* page = pageOf(current);
-    m_title->setText(page == m_project ? tr("Project") : current.name);
+    m_title->setText(page == m_project ? tr("Project") : widgets::breakable(current.name));
     page->show(page == m_project ? QString() : current.name);
     // Each page stands in a scroll area.
     for (QWidget* place = page; place != nullptr; place = place->parentWidget()) {

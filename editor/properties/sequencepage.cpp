@@ -9,26 +9,15 @@
 #include "editor/fields/rangefield.h"
 #include "editor/fields/texturefield.h"
 #include "model/project/document/findentry.h"
+#include "widgets/controls/breakable.h"
 
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
-#include <QRegularExpression>
 
 namespace quadrille {
-
-namespace {
-
-/// Lets lines end within long paths and names, or they would widen the dock.
-QString breakable(QString text)
-{
-    static const QRegularExpression joint(QStringLiteral("([/_.])"));
-    return text.replace(joint, QStringLiteral("\\1\u200B"));
-}
-
-} // namespace
 
 SequencePage::SequencePage(EditorContext& context)
     : m_context(context)
@@ -146,7 +135,8 @@ void SequencePage::showResultState(const SequenceEntry& entry)
     m_notes->clear();
     if (!isOpen) {
         const bool hasFailed = resultState != nullptr && resultState->error;
-        m_length->setText(hasFailed ? breakable(describe(*resultState->error).oneLine()) : tr("opening…"));
+        m_length->setText(hasFailed ? widgets::breakable(describe(*resultState->error).oneLine())
+                                    : tr("opening…"));
         return;
     }
     const MeshSequence& shown = resultState->sequence ? *resultState->sequence : *resultState->whole;
@@ -156,7 +146,8 @@ void SequencePage::showResultState(const SequenceEntry& entry)
     QStringList notes;
     for (const Issue& issue : resultState->issues)
         notes += describe(issue).oneLine();
-    m_notes->setText(notes.isEmpty() ? tr("none", "findings") : breakable(notes.join(QLatin1Char('\n'))));
+    m_notes->setText(notes.isEmpty() ? tr("none", "findings")
+                                     : widgets::breakable(notes.join(QLatin1Char('\n'))));
 }
 
 void SequencePage::editSource(const std::function<void(SequenceEntry&)>& change)

@@ -41,6 +41,9 @@ public:
     virtual std::vector<Panel> panels() { return {}; }
     /// The captured frame that is shown now, or that is nearest to what is shown; none without any.
     virtual std::optional<NamedFrame> shownPose() { return std::nullopt; }
+    /// The clip that it works on, "SECTION/NAME", which goes out where takes are selected; empty where it
+    /// shows takes.
+    virtual QString shownClip() const { return {}; }
     /// What of it comes back with a project, for its session; nothing where all of it is told by what is
     /// selected. Of the project that is open.
     virtual QJsonObject look() const { return {}; }

@@ -6,6 +6,7 @@
 #include "editor/commands/projectedits.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesteering.h"
+#include "exporting.h"
 #include "livefixture.h"
 #include "model/core/file.h"
 #include "model/project/results/rebuild.h"
@@ -115,8 +116,14 @@ private slots:
         auto& bar = workspace().view().playback();
         emit bar.stepRequested(-5);
         QCOMPARE(session().state().tick, std::int64_t{115});
-        emit bar.firstRequested();
+        QVERIFY(session().lastDecision() != nullptr);
+        action("play.next")->trigger();
+        QCOMPARE(session().state().tick, std::int64_t{116});
+        action("play.last")->trigger();
+        QCOMPARE(session().state().tick, std::int64_t{120});
+        action("play.first")->trigger();
         QCOMPARE(session().state().tick, std::int64_t{0});
+        QVERIFY(session().lastDecision() == nullptr);
         // Who steers takes over.
         session().goTo(60);
         session().want(0);
@@ -137,6 +144,7 @@ private slots:
         play(60);
         const auto shown = session().pose();
         const std::vector<float> last(shown.begin(), shown.end());
+        QCOMPARE(session().recordedTicks(), session().tickCount() - 10);
         action("live.record")->trigger();
         QVERIFY(!session().isRecording());
         QCOMPARE(document().project().lives.size(), std::size_t{1});
@@ -152,6 +160,14 @@ private slots:
         QVERIFY(action("live.export")->isEnabled());
         action("live.addSequence")->trigger();
         QCOMPARE(document().project().sequences.back().source, "clip:live/" + entry.name);
+        // It is computed for whoever opens it.
+        QVERIFY(test::waitForSequence(*m_window, QString::fromStdString(entry.name)));
+        action("file.export")->trigger();
+        QTRY_VERIFY(test::exportDialog() != nullptr);
+        QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(),
+                 QString::fromStdString("live/" + entry.name));
+        QTest::keyClick(test::exportDialog(), Qt::Key_Escape);
+        QTRY_VERIFY(test::exportDialog() == nullptr);
         document().undo();
         document().undo();
         QVERIFY(document().project().lives.empty());
@@ -314,6 +330,8 @@ private slots:
         m_window->workspaces().select("live");
         QVERIFY(workspace().view().message().isVisible());
         QVERIFY(!action("live.run")->isEnabled());
+        QVERIFY(!action("live.export")->isEnabled());
+        QVERIFY(!action("live.addSequence")->isEnabled());
     }
 
     void gamepadsComeAndGo()

@@ -67,6 +67,9 @@ private:
     /// Exports what is selected as a point cache.
     void exportTo(const QString& file)
     {
+        // A take that was looked at meanwhile is not what the workspace is about.
+        m_window->context().selection.selectSequences(
+            {QString::fromStdString(m_window->context().document.project().sequences.front().name)});
         key(Qt::Key_E, Qt::ControlModifier);
         QTRY_VERIFY(test::exportDialog() != nullptr);
         QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(), "animations/" + animation());

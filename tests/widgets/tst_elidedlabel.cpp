@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
+#include "widgets/controls/breakable.h"
 #include "widgets/controls/elidedlabel.h"
 
 #include <QHBoxLayout>
@@ -44,6 +45,17 @@ private slots:
         label->setText(QString(200, 'x'));
         QCOMPARE(bar.minimumSizeHint().width(), before);
         QCOMPARE(label->text().size(), 200);
+    }
+
+    void longNamesBreakInsteadOfWideningTheirLabel()
+    {
+        const QString name(90, 'x');
+        QLabel label(breakable(name));
+        label.setWordWrap(true);
+        QVERIFY(label.minimumSizeHint().width() < label.fontMetrics().horizontalAdvance(name) / 2);
+        QCOMPARE(breakable(name).remove(QChar(0x200B)), name);
+        QCOMPARE(breakable("a/b_c\\d.pc2"), QString("a/\u200Bb_\u200Bc\\\u200Bd.\u200Bpc2"));
+        QCOMPARE(breakable("Takes 1.25 s. Then it ends."), QString("Takes 1.25 s. Then it ends."));
     }
 
     void whatLooksLikeMarkupIsText()

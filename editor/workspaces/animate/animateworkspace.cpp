@@ -118,6 +118,11 @@ std::vector<Workspace::Panel> AnimateWorkspace::panels()
     return m_panels;
 }
 
+QString AnimateWorkspace::shownClip() const
+{
+    return m_animation->entry() == nullptr ? QString() : QStringLiteral("animations/") + m_animation->name();
+}
+
 std::optional<NamedFrame> AnimateWorkspace::shownPose()
 {
     const auto result = m_animation->result();

@@ -25,6 +25,7 @@ public:
     SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override;
     std::optional<NamedFrame> shownPose() override;
+    QString shownClip() const override;
     void setActive(bool active) override;
     CurrentAnimation& animation() { return *m_animation; }
     KeysAndStoryboard& keysAndStoryboard() { return *m_keysAndStoryboard; }

@@ -61,7 +61,21 @@ void LiveWorkspace::makeActions()
                  [] { return tr("Writes the recorded clip into files"); },
                  "export",
                  {}},
-                [this] { emit exportRequested(QStringLiteral("live/") + m_loaded); });
+                [this] { emit exportRequested(shownClip()); });
+    offerClip();
+}
+
+QString LiveWorkspace::shownClip() const
+{
+    return findLive(m_context.document.project(), m_loaded.toStdString()) == nullptr
+               ? QString()
+               : QStringLiteral("live/") + m_loaded;
+}
+
+void LiveWorkspace::offerClip()
+{
+    for (const char* id : {"live.addSequence", "live.export"})
+        m_context.actions.action(QLatin1String(id))->setEnabled(!shownClip().isEmpty());
 }
 
 void LiveWorkspace::toggle()

@@ -136,7 +136,7 @@ void LiveBar::showState()
         };
         const QString now = seconds(m_session.state().tick);
         if (m_session.isRecording())
-            text = tr("Recording: %1 s").arg(now);
+            text = tr("Recording: %1 s").arg(seconds(m_session.recordedTicks()));
         else if (m_session.isReplaying())
             text = tr("Replay: %1 of %2 s").arg(now, seconds(m_session.tickCount()));
         else if (m_session.isRunning())

@@ -306,6 +306,12 @@ void LiveSession::wantAsThen()
         emit changed();
 }
 
+const LiveDecision* LiveSession::lastDecision() const
+{
+    const auto after = std::ranges::upper_bound(m_decisions, state().tick, {}, &LiveDecision::tick);
+    return after == m_decisions.begin() ? nullptr : &*(after - 1);
+}
+
 std::pair<double, double> LiveSession::measuredMotion() const
 {
     const auto ticks = std::min(static_cast<std::int64_t>(std::lround(measuredSeconds / tickSeconds())),

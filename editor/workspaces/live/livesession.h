@@ -92,6 +92,8 @@ public:
     /// In their order; the first is at tick 0.
     const std::vector<Visit>& visits() const { return m_visits; }
     const std::vector<LiveDecision>& decisions() const { return m_decisions; }
+    /// The last one before the tick that is shown; null before the first.
+    const LiveDecision* lastDecision() const;
     /// Of a transition, from the wish on, seconds.
     double latencyOf(const LiveDecision& decision) const
     {
@@ -106,6 +108,8 @@ public:
     double tickMilliseconds() const { return m_tickMilliseconds + m_poseMilliseconds; }
 
     bool isRecording() const { return m_recordedFrom.has_value(); }
+    /// Ticks that are recorded until the one that is shown. \pre isRecording()
+    std::int64_t recordedTicks() const { return state().tick - *m_recordedFrom; }
     /// Records from the tick that is shown, and runs.
     void startRecording();
     /// Ends it. \return the performance, without a name; nothing where it has no frame.

@@ -250,9 +250,7 @@ void LiveWorkspace::followSelection()
         m_loaded = current.name;
         m_session->load(*entry, m_context.document.project().settings.axes);
     }
-    const bool hasEntry = findLive(m_context.document.project(), m_loaded.toStdString()) != nullptr;
-    for (const char* id : {"live.addSequence", "live.export"})
-        m_context.actions.action(QLatin1String(id))->setEnabled(hasEntry);
+    offerClip();
 }
 
 void LiveWorkspace::followRunning()

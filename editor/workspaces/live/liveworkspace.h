@@ -29,6 +29,7 @@ public:
 
     SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override { return m_panels; }
+    QString shownClip() const override;
     void setActive(bool active) override;
     LiveSession& session() { return *m_session; }
     Gamepad& gamepad() { return *m_gamepad; }
@@ -61,6 +62,8 @@ private:
     void toggleRecording();
     /// Keeps what is being recorded, if anything is.
     void finishRecording();
+    /// Offers to do something with the performance that is played again, where there is one.
+    void offerClip();
     void addSequence();
 
     EditorContext& m_context;

@@ -7,6 +7,7 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesession.h"
+#include "widgets/controls/breakable.h"
 #include "widgets/graph/takegraphview.h"
 #include "widgets/theme/theme.h"
 
@@ -218,17 +219,15 @@ void SteeringPanel::showReadout()
                  : nameOf(state.track.space);
     lines += tr("Measured: %1, %2")
                  .arg(measureText(speed, SpaceMeasure::Speed), measureText(turning, SpaceMeasure::Turning));
-    if (!m_session.decisions().empty()) {
-        const LiveDecision& last = m_session.decisions().back();
-        const TransitionChoice& choice = last.choices[0];
+    if (const LiveDecision* last = m_session.lastDecision()) {
         lines += tr("Last transition: %1 s, dissimilarity %2 of 1000")
-                     .arg(QLocale().toString(m_session.latencyOf(last), 'f', 2),
-                          QLocale().toString(choice.dissimilarity, 'f', 0));
+                     .arg(QLocale().toString(m_session.latencyOf(*last), 'f', 2),
+                          QLocale().toString(last->choices[0].dissimilarity, 'f', 0));
     }
     lines += tr("Tick %1 ms, picture %2 ms")
                  .arg(QLocale().toString(m_session.tickMilliseconds(), 'f', 2),
                       QLocale().toString(m_pictureMilliseconds, 'f', 1));
-    m_readout->setText(lines.join(QLatin1Char('\n')));
+    m_readout->setText(widgets::breakable(lines.join(QLatin1Char('\n'))));
 }
 
 } // namespace quadrille

@@ -117,7 +117,7 @@ void TransferWorkspace::makeActions()
                  [] { return tr("Writes the transferred clip into files"); },
                  "export",
                  {}},
-                [this] { emit exportRequested(QStringLiteral("transfers/") + m_transfer->name()); });
+                [this] { emit exportRequested(shownClip()); });
     actions.add({"projection.new",
                  group,
                  [] { return tr("New 3D &video…"); },
@@ -169,6 +169,11 @@ void TransferWorkspace::addSequence()
     std::vector<SequenceEntry> added;
     added.push_back(std::move(sequence));
     addSequences(m_context.document, std::move(added));
+}
+
+QString TransferWorkspace::shownClip() const
+{
+    return m_transfer->entry() == nullptr ? QString() : QStringLiteral("transfers/") + m_transfer->name();
 }
 
 std::optional<NamedFrame> TransferWorkspace::shownPose()

@@ -23,6 +23,7 @@ public:
     SceneView& view() override { return *m_view; }
     std::vector<Panel> panels() override { return m_panels; }
     std::optional<NamedFrame> shownPose() override;
+    QString shownClip() const override;
     void setActive(bool active) override;
     QJsonObject look() const override;
     void setLook(const QJsonObject& look) override;

@@ -122,9 +122,10 @@ void ViewActions::followColors()
 
 void ViewActions::makePlaybackActions()
 {
+    // Steps and ends as the bar has them: a view may show something else than its player.
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
-                                      Qt::Key key, std::function<void(Player&)> run) {
+                                      Qt::Key key, std::function<void(SceneView&)> run) {
         actions.add({QLatin1String(id),
                      [] { return tr("Playback"); },
                      std::move(text),
@@ -133,33 +134,33 @@ void ViewActions::makePlaybackActions()
                      {key}},
                     [this, run = std::move(run)] {
                         if (m_view != nullptr)
-                            run(m_view->player());
+                            run(*m_view);
                     });
     };
     add(
         "play.toggle", [] { return tr("&Play or pause"); }, "play", Qt::Key_Space,
-        [](Player& player) { player.toggle(); });
+        [](SceneView& view) { view.player().toggle(); });
     add(
         "play.previous", [] { return tr("P&revious frame"); }, "stepback", Qt::Key_Left,
-        [](Player& player) { player.step(-1); });
+        [](SceneView& view) { emit view.playback().stepRequested(-1); });
     add(
         "play.next", [] { return tr("&Next frame"); }, "step", Qt::Key_Right,
-        [](Player& player) { player.step(1); });
+        [](SceneView& view) { emit view.playback().stepRequested(1); });
     add(
         "play.first", [] { return tr("&First frame"); }, "first", Qt::Key_Home,
-        [](Player& player) { player.goToStart(); });
+        [](SceneView& view) { emit view.playback().firstRequested(); });
     add(
         "play.last", [] { return tr("&Last frame"); }, "last", Qt::Key_End,
-        [](Player& player) { player.goToEnd(); });
+        [](SceneView& view) { emit view.playback().lastRequested(); });
     add(
         "play.backwards", [] { return tr("Play &backwards, faster"); }, "stepback", Qt::Key_J,
-        [](Player& player) { player.shuttle(-1); });
+        [](SceneView& view) { view.player().shuttle(-1); });
     add(
         "play.pause", [] { return tr("P&ause"); }, "pause", Qt::Key_K,
-        [](Player& player) { player.pause(); });
+        [](SceneView& view) { view.player().pause(); });
     add(
         "play.forwards", [] { return tr("Play f&orwards, faster"); }, "step", Qt::Key_L,
-        [](Player& player) { player.shuttle(1); });
+        [](SceneView& view) { view.player().shuttle(1); });
 }
 
 void ViewActions::makeShadingActions()
@@ -191,6 +192,7 @@ void ViewActions::makeShadingActions()
 
 void ViewActions::makeToggles()
 {
+    // Steps and ends as the bar has them: a view may show something else than its player.
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
                                       QList<QKeySequence> keys, bool on,
@@ -273,6 +275,7 @@ void ViewActions::followPins()
 
 void ViewActions::makeCameraActions()
 {
+    // Steps and ends as the bar has them: a view may show something else than its player.
     ActionRegistry& actions = m_context.actions;
     const auto add = [this, &actions](const char* id, ActionRegistry::Text text, const char* icon,
                                       const QKeySequence& key, std::function<void(SceneView&)> run) {
