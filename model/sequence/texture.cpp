@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/sequence/texture.h"
 
+#include <map>
+#include <utility>
+
 namespace quadrille {
 
 std::shared_ptr<const Image> Texture::load() const
@@ -23,7 +26,16 @@ TextureSet TextureSet::single(Texture texture)
 
 TextureSet TextureSet::perFrame(std::vector<Texture> textures)
 {
-    return {Kind::PerFrame, std::move(textures)};
+    TextureSet set(Kind::PerFrame, std::move(textures));
+    std::map<std::pair<std::filesystem::path, ColourMarks>, int> firsts;
+    set.m_firsts.reserve(set.m_textures.size());
+    for (const Texture& texture : set.m_textures) {
+        const int index = static_cast<int>(set.m_firsts.size());
+        const bool isFile = !texture.embedded && !texture.made && !texture.isEmpty();
+        set.m_firsts.push_back(isFile ? firsts.try_emplace({texture.file, texture.marks}, index).first->second
+                                      : index);
+    }
+    return set;
 }
 
 TextureSet TextureSet::perMaterial(std::vector<Texture> textures)
@@ -48,7 +60,9 @@ int TextureSet::indexFor(FrameIndex sourceFrame, int material) const
         index = 0;
         break;
     case Kind::PerFrame:
-        index = sourceFrame.value;
+        index = sourceFrame.value >= 0 && sourceFrame.value < std::ssize(m_firsts)
+                    ? m_firsts[static_cast<std::size_t>(sourceFrame.value)]
+                    : -1;
         break;
     case Kind::PerMaterial:
         index = material;

@@ -72,7 +72,7 @@ public:
 
     TextureSet() = default;
     static TextureSet single(Texture texture);
-    /// \param textures one for each frame of the source, in frame order.
+    /// \param textures one for each frame of the source, in frame order; the same files may come again.
     static TextureSet perFrame(std::vector<Texture> textures);
     /// \param textures one for each material of the topology; empty ones where a material has none.
     static TextureSet perMaterial(std::vector<Texture> textures);
@@ -84,7 +84,8 @@ public:
     /// May be null: then a frame in between has the texture of the nearer one.
     const std::shared_ptr<const TextureBlender>& blender() const { return m_blender; }
     const std::vector<Texture>& textures() const { return m_textures; }
-    /// Index into `textures()` for a source frame and a material; −1 when there is none.
+    /// Index into `textures()` for a source frame and a material, the first where the same file comes several
+    /// times, so that it is read and kept once; −1 when there is none.
     int indexFor(FrameIndex sourceFrame, int material = 0) const;
     /// The picture, from the cache or read now; null when index is −1 or the texture empty.
     /// \throws Error what readImage throws.
@@ -95,6 +96,7 @@ private:
 
     Kind m_kind = Kind::None;
     std::vector<Texture> m_textures;
+    std::vector<int> m_firsts; ///< per frame: where its file comes first
     std::shared_ptr<const TextureBlender> m_blender;
     MediaId m_id;
 };

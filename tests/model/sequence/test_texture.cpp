@@ -83,6 +83,18 @@ TEST(Texture, ThatCannotBeMadeTellsWhoAsks)
     EXPECT_THROW(set.image(0, cache), Error) << "the cache keeps no failure";
 }
 
+TEST(TextureSet, HasAFileThatComesAgainOnce)
+{
+    const Texture walk{"walk.png", nullptr};
+    const Texture made{{}, nullptr, [] { return Image(1, 1); }};
+    const Texture untold{"walk.png", nullptr, {}, ColourMarks::Ignored};
+    const TextureSet set = TextureSet::perFrame({walk, {"run.png", nullptr}, walk, made, made, untold, {}});
+    std::vector<int> indices;
+    for (int frame = -1; frame < 8; ++frame)
+        indices.push_back(set.indexFor(FrameIndex(frame)));
+    EXPECT_EQ(indices, (std::vector<int>{-1, 0, 1, 0, 3, 4, 5, -1, -1}));
+}
+
 TEST(TextureSet, KeepsItsBlenderWhenASequenceIsCutOrResampled)
 {
     MeshSequence sequence = triangleOf(9);
