@@ -3834,8 +3834,8 @@
         <translation>Transitions</translation>
     </message>
     <message>
-        <source>Cost of transitions</source>
-        <translation>Coût des transitions</translation>
+        <source>Cost of all edges</source>
+        <translation>Coût de toutes les arêtes</translation>
     </message>
     <message>
         <source>Cost of timing</source>
@@ -4900,6 +4900,10 @@
         <source>Projections</source>
         <translation>Projections</translation>
     </message>
+    <message>
+        <source>Live performances</source>
+        <translation>Performances en direct</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::ClipScene</name>
@@ -5624,6 +5628,10 @@
     <message>
         <source>Put the pictures into the file</source>
         <translation>Mettre les images dans le fichier</translation>
+    </message>
+    <message>
+        <source>“%1” is written.</source>
+        <translation>«&#xa0;%1&#xa0;» est écrit.</translation>
     </message>
 </context>
 <context>

@@ -132,8 +132,12 @@ SequenceMedia::Source SequenceMedia::sourceOf(const SequenceEntry& entry) const
             addClip("projections/" + projection.name);
         // Frames between captured ones have textures of a model, whatever that is made of.
         for (const AppearanceEntry& appearance : document().project().appearances) {
-            source.parts->appearances.push_back(
-                {.name = appearance.name, .character = appearance.character, .varied = appearance.varied});
+            AppearanceEntry& known = source.parts->appearances.emplace_back();
+            known.name = appearance.name;
+            known.character = appearance.character;
+            known.varied = appearance.varied;
+            for (const CompletionEntry& completion : appearance.completions)
+                known.completions.emplace_back().frame = completion.frame;
             addTime(appearanceModelStep(appearance.name));
             addTime(appearanceCompletionsStep(appearance.name));
             addTime(appearancePosesStep(appearance.name));

@@ -85,7 +85,17 @@ double TakeGraphView::pictureSide() const
     // Nodes in a row on the ring keep a picture's breadth between them.
     const double around = std::numbers::pi * (width() + height()) / 2;
     const auto count = static_cast<double>(std::max<std::size_t>(m_nodes.size(), 1));
-    return std::clamp(around / count / 2.6, smallestPicture, largestPicture);
+    // And those above each other keep the name and a count between them.
+    const double line = QFontMetricsF(font()).height();
+    const double rows = m_nodes.size() < 2 || isRow() ? 1 : 2;
+    const double room = (height() - 2 * line - graphMargin) / rows - 2 * line;
+    return std::clamp(std::min(around / count / 2.6, room), smallestPicture, largestPicture);
+}
+
+/// Two nodes stand beside each other where there is more room across.
+bool TakeGraphView::isRow() const
+{
+    return m_nodes.size() == 2 && width() > height();
 }
 
 QSizeF TakeGraphView::ring() const
@@ -104,7 +114,8 @@ QPointF TakeGraphView::middleOf(int node) const
     const QPointF centre(width() / 2.0, (height() + QFontMetricsF(font()).height()) / 2.0 - graphMargin);
     if (m_nodes.size() < 2)
         return centre;
-    const double angle = 2 * std::numbers::pi * node / static_cast<double>(m_nodes.size());
+    const double first = isRow() ? -std::numbers::pi / 2 : 0;
+    const double angle = first + 2 * std::numbers::pi * node / static_cast<double>(m_nodes.size());
     const QSizeF axes = ring();
     return centre + QPointF(axes.width() * std::sin(angle), -axes.height() * std::cos(angle));
 }

@@ -85,6 +85,7 @@ protected:
 
 private:
     QPointF middleOf(int node) const;
+    bool isRow() const;
     double pictureSide() const;
     /// Half an ellipse's axes on which the nodes lie.
     QSizeF ring() const;

@@ -63,7 +63,7 @@ private:
             add(Texts::tr("Duration before finishing"),
                 static_cast<double>(m_result.plan.frameCount()) / m_fps, seconds());
         add(Texts::tr("Transitions"), static_cast<double>(solution().walk.transitionCount()));
-        add(Texts::tr("Cost of transitions"), solution().cost.edges);
+        add(Texts::tr("Cost of all edges"), solution().cost.edges);
         if (!m_result.entry.walk && constraints().path)
             add(Texts::tr("Their weight μ"), weights().mu, squareMetres());
         if (m_result.entry.post.variations) {

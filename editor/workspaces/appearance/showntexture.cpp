@@ -239,7 +239,9 @@ void ShownTexture::setWeight(double weight)
 Texture ShownTexture::completed(const NamedFrame& frame) const
 {
     const auto opened = m_appearance.opened();
-    if (opened == nullptr)
+    const AppearanceEntry* entry = m_appearance.entry();
+    const auto isIts = [&frame](const CompletionEntry& each) { return each.frame == frame; };
+    if (opened == nullptr || entry == nullptr || std::ranges::none_of(entry->completions, isIts))
         return {};
     const auto found = opened->known.completed.find({frame.sequence, frame.frame});
     return found == opened->known.completed.end() ? Texture() : found->second;

@@ -85,6 +85,9 @@ std::shared_ptr<const TextureBlender> SourceCache::blender(const AppearanceEntry
                                                            const std::filesystem::path& folder)
 {
     BlenderKey key{.name = entry.name, .varied = entry.varied, .results = results, .folder = folder};
+    key.completed.reserve(entry.completions.size());
+    for (const CompletionEntry& completion : entry.completions)
+        key.completed.push_back(completion.frame);
     const ResultStore store(results);
     for (const std::string& step : {appearanceModelStep(entry.name), appearanceCompletionsStep(entry.name),
                                     appearancePosesStep(entry.name)})

@@ -62,6 +62,7 @@ private:
     {
         std::string name;
         VariedTextures varied = VariedTextures::Learned;
+        std::vector<NamedFrame> completed; ///< that are to be
         std::filesystem::path results;
         std::filesystem::path folder;
         std::vector<std::optional<FileStamp>> files;

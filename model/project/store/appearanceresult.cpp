@@ -65,7 +65,9 @@ SharedTable<float> componentTable(const QuantisedSpace& space)
     return SharedTable<float>(std::move(table));
 }
 
-void addCompletions(FrameAppearances& appearances, const Result& result, const fs::path& folder)
+/// Adds the textures that were completed, and still are to be.
+void addCompletions(FrameAppearances& appearances, const Result& result, const fs::path& folder,
+                    const AppearanceEntry& entry)
 {
     const DataTable* table = findTable(result, completionsName);
     if (table == nullptr)
@@ -75,7 +77,10 @@ void addCompletions(FrameAppearances& appearances, const Result& result, const f
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const FrameAppearances::Key key(sequences[i], FrameIndex(frames[i]));
         const fs::path file = resolvePath(result.files[i].path, folder);
-        if (!fs::exists(file))
+        const bool isWanted = std::ranges::any_of(entry.completions, [&](const CompletionEntry& each) {
+            return each.frame == NamedFrame{sequences[i], FrameIndex(frames[i])};
+        });
+        if (!isWanted || !fs::exists(file))
             continue;
         appearances.completed[key] = {.file = file};
         appearances.coefficients[key] = {coefficientRow(result, textureCoefficientsName, i),
@@ -266,7 +271,7 @@ std::optional<FrameAppearances> readAppearances(const fs::path& results, const f
                 coefficientsOf(*appearances.model, static_cast<std::size_t>(each.row));
         if (entry.varied == VariedTextures::Learned)
             addPoses(appearances, *store.load(appearancePosesStep(name), {}).result);
-        addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder);
+        addCompletions(appearances, *store.load(appearanceCompletionsStep(name), {}).result, folder, entry);
         return appearances;
     } catch (const Error&) {
         return std::nullopt;
