@@ -113,12 +113,11 @@ Workspace* MainWindow::workspaceInFront() const
 
 void MainWindow::open(const QStringList& files)
 {
+    m_sequences->view().playWhenReady();
     QStringList sequences = files;
     openProjects(sequences);
-    if (sequences.isEmpty())
-        return;
-    m_sequences->view().playWhenReady();
-    m_import->open(sequences);
+    if (!sequences.isEmpty())
+        m_import->open(sequences);
 }
 
 /// Opens the projects among some files and takes them out.

@@ -8784,6 +8784,11 @@
         <source>&amp;Live</source>
         <translation>En &amp;direct</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>an action and what it is about, as “Undo: Rename “walk””</extracomment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MotionSpaceEdits</name>

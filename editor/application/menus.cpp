@@ -8,6 +8,7 @@
 #include <QActionGroup>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QUndoStack>
 
 namespace quadrille {
 
@@ -66,6 +67,23 @@ void Menus::addFile()
                {"edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label", "edit.labelTakes",
                 "edit.proposeContacts", "edit.clearContacts"});
     fill(*edit, {"", "edit.preferences"});
+    // While it is open it says what is undone.
+    const QUndoStack* steps = m_context.document.undoStack();
+    nameWhileOpen(*edit, "edit.undo", [steps] { return steps->undoText(); });
+    nameWhileOpen(*edit, "edit.redo", [steps] { return steps->redoText(); });
+}
+
+void Menus::nameWhileOpen(QMenu& menu, const char* id, std::function<QString()> what)
+{
+    QAction* action = m_context.actions.action(QLatin1String(id));
+    connect(&menu, &QMenu::aboutToShow, action, [action, what = std::move(what)] {
+        const QString step = what().replace(QLatin1Char('&'), QLatin1String("&&"));
+        action->setProperty("plainText", action->text());
+        //: an action and what it is about, as “Undo: Rename “walk””
+        action->setText(step.isEmpty() ? action->text() : tr("%1: %2").arg(action->text(), step));
+    });
+    connect(&menu, &QMenu::aboutToHide, action,
+            [action] { action->setText(action->property("plainText").toString()); });
 }
 
 void Menus::addView()

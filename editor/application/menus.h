@@ -35,6 +35,8 @@ public:
 private:
     QMenu* addMenu(const char* name, std::function<QString()> title, const QStringList& actions);
     void fill(QMenu& menu, const QStringList& actions);
+    /// \param what  an action is about, told behind its text while the menu is open; may give nothing.
+    void nameWhileOpen(QMenu& menu, const char* id, std::function<QString()> what);
     void addFile();
     void addView();
     void addGraph();

@@ -164,7 +164,7 @@ void ImportDialog::survey()
     m_isSurveyed = false;
     m_import->setEnabled(false);
     m_notes->setText(tr("Looking at what is there…"));
-    const SurveyOptions options{m_found.mesh, m_context.document.project().settings.fps};
+    const SurveyOptions options = surveyOptions(m_found.mesh, m_context.document.project());
     m_context.jobs.start(
         {.name = tr("Looking at %n source(s)", nullptr, static_cast<int>(m_found.sources.size())),
          .receiver = this,

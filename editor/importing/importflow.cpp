@@ -97,9 +97,12 @@ void ImportFlow::open(const QStringList& paths)
         {.name = tr("Opening %n file(s)", nullptr, static_cast<int>(paths.size())),
          .receiver = this,
          .failed = [this](const Error& error) { emit failed(error); }},
-        [chosen = toPaths(paths), fps = m_context.document.project().settings.fps](const Progress& progress) {
+        [chosen = toPaths(paths),
+         options = surveyOptions({}, m_context.document.project())](const Progress& progress) {
             const FoundSources found = findSources(chosen);
-            return Survey{surveySources(found.sources, {found.mesh, fps}, progress), found.mesh};
+            SurveyOptions own = options;
+            own.mesh = found.mesh;
+            return Survey{surveySources(found.sources, own, progress), found.mesh};
         },
         [this](Survey survey) {
             const ImportPlan plan =

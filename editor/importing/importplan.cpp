@@ -82,6 +82,16 @@ double ImportPlan::heightOf(const SurveyedTake& take) const
     return static_cast<double>(take.size[up]) * system.metresPerUnit;
 }
 
+SurveyOptions surveyOptions(const std::filesystem::path& mesh, const Project& project)
+{
+    SurveyOptions options{.mesh = mesh, .knownMeshes = {}, .fps = project.settings.fps};
+    for (const CharacterEntry& character : project.characters) {
+        if (!character.mesh.empty())
+            options.knownMeshes.emplace_back(character.mesh);
+    }
+    return options;
+}
+
 ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path& mesh, const Project& project)
 {
     ImportPlan plan;

@@ -49,6 +49,9 @@ struct ImportPlan
     double heightOf(const SurveyedTake& take) const;
 };
 
+/// How to survey what a project is to get. \param mesh  that was chosen, or found among it; may be empty.
+SurveyOptions surveyOptions(const std::filesystem::path& mesh, const Project& project);
+
 /// The plan that a survey suggests: a name for the character after mesh or folder, a unit that makes it as
 /// tall as a person. \param mesh  of the faces, where files have none; empty: that which a take names.
 ImportPlan planFor(std::vector<SurveyedTake> takes, const std::filesystem::path& mesh,

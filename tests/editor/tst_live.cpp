@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
-// Motion spaces that are steered live: by keys, sliders and a gamepad; rewound, recorded, played again.
+// Motion spaces that are played live: rewound, recorded, played again.
 #include "editor/application/projectfiles.h"
 #include "editor/commands/changeproject.h"
 #include "editor/commands/projectedits.h"
-#include "editor/workspaces/live/gamepad.h"
-#include "editor/workspaces/live/livesteering.h"
 #include "exporting.h"
 #include "livefixture.h"
 #include "model/core/file.h"
@@ -15,14 +13,11 @@
 #include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
-#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QSlider>
 #include <QTimer>
 #include <QTreeWidget>
-#include <SDL2/SDL.h>
 
 namespace quadrille {
 
@@ -31,50 +26,6 @@ class LiveTest : public LiveFixture
     Q_OBJECT
 
 private slots:
-    void keysSteerWhatIsPlayed()
-    {
-        open();
-        auto* view = &workspace().viewport();
-        view->setFocus();
-        const double slow = session().steering().values()[0];
-        QTest::keyClick(view, Qt::Key_2); // nothing is steered while it pauses
-        QCOMPARE(session().wantedSpace(), 0);
-        session().run();
-        QTest::keyPress(view, Qt::Key_W);
-        play(30);
-        QTest::keyRelease(view, Qt::Key_W);
-        QVERIFY(session().steering().values()[0] > slow);
-        const double reached = session().steering().values()[0];
-        play(10);
-        QCOMPARE(session().steering().values()[0], reached);
-        QVERIFY(session().state().track.root.shift.norm() > 0);
-        // A digit wants another space, and it is entered.
-        QTest::keyClick(view, Qt::Key_2);
-        QCOMPARE(session().wantedSpace(), 1);
-        play(120);
-        QCOMPARE(session().state().track.space, std::size_t{1});
-        QCOMPARE(session().decisions().size(), std::size_t{1});
-        QTest::keyClick(view, Qt::Key_R);
-        QVERIFY(session().isResponsive());
-        session().pause();
-        QCOMPARE(workspace().view().timeline().currentFrame(), static_cast<int>(session().tickCount()));
-        // What the first space was steered to is kept for when it is wanted again.
-        session().want(0);
-        QCOMPARE(session().steering().values()[0], reached);
-    }
-
-    void slidersHoldAValue()
-    {
-        open();
-        auto* slider = test::find<QSlider>("liveParameter1");
-        QVERIFY(slider->isVisible());
-        QVERIFY(!test::find<QSlider>("liveParameter2")->isVisible());
-        slider->setValue(slider->maximum());
-        play(20);
-        const SteeredParameter steered = session().steering().parameters()[0];
-        QCOMPARE(session().steering().values()[0], steered.greatest);
-    }
-
     void spacePlaysAndPauses()
     {
         open();
@@ -332,62 +283,6 @@ private slots:
         QVERIFY(!action("live.run")->isEnabled());
         QVERIFY(!action("live.export")->isEnabled());
         QVERIFY(!action("live.addSequence")->isEnabled());
-    }
-
-    void gamepadsComeAndGo()
-    {
-        open();
-        Gamepad& gamepad = workspace().gamepad();
-        gamepad.poll();
-        if (gamepad.isConnected())
-            QSKIP("There is a gamepad at this computer.");
-        const int device = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, 6, 15, 1);
-        QVERIFY(device >= 0);
-        QTRY_VERIFY(gamepad.isConnected()); // it is looked for while nothing is played, too
-        QVERIFY(!test::find<QLabel>("liveGamepad")->text().isEmpty());
-        SDL_Joystick* stick = SDL_JoystickFromInstanceID(SDL_JoystickGetDeviceInstanceID(device));
-        QVERIFY(stick != nullptr);
-        SDL_JoystickSetVirtualAxis(stick, 1, -32768); // forward
-        play(5);
-        QCOMPARE(session().steering().values()[0], session().steering().parameters()[0].greatest);
-        SDL_JoystickSetVirtualAxis(stick, 1, 2000); // it never rests quite in the middle
-        play(2);
-        QCOMPARE(session().steering().values()[0], session().steering().parameters()[0].least);
-        SDL_JoystickSetVirtualButton(stick, SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 1);
-        play(1);
-        QCOMPARE(session().wantedSpace(), 1);
-        session().run();
-        SDL_JoystickDetachVirtual(device);
-        QTRY_VERIFY(!gamepad.isConnected());
-        QVERIFY(!session().isRunning());
-        QVERIFY(workspace().view().message().isVisible());
-    }
-
-    static void steeringHasItsAxes()
-    {
-        LiveSteering steering;
-        steering.setParameters({{SpaceMeasure::Speed, 1, 3}, {SpaceMeasure::Turning, -40, 60}});
-        QCOMPARE(steering.axisOf(0), SteeringAxis::Vertical);
-        QCOMPARE(steering.axisOf(1), SteeringAxis::Horizontal);
-        QCOMPARE(steering.values(), (SpacePoint{1, 0}));
-        steering.advance({.axes = {1, 1, 0}}, 0.75); // to the right, and faster
-        QCOMPARE(steering.values(), (SpacePoint{2, -40}));
-        steering.advance({}, 0.3);
-        QCOMPARE(steering.values(), (SpacePoint{2, -20}));
-        steering.advance({}, 10);
-        QCOMPARE(steering.values(), (SpacePoint{2, 0}));
-        steering.setValue(1, 100);
-        steering.advance({}, 10);
-        QCOMPARE(steering.values(), (SpacePoint{2, 60}));
-        steering.advance({.axes = {-0.5, 0.25, 0}, .isAnalog = true}, 0.01);
-        QCOMPARE(steering.values(), (SpacePoint{1.5, 30}));
-        // What the next space has in common stays, and comes back after spaces without it.
-        steering.setParameters({{SpaceMeasure::JumpHeight, 0.1, 0.6}, {SpaceMeasure::Speed, 0, 1}});
-        QCOMPARE(steering.values(), (SpacePoint{0.1, 1}));
-        QCOMPARE(steering.axisOf(1), SteeringAxis::Horizontal);
-        steering.setParameters({{SpaceMeasure::JumpHeight, 0.1, 0.6}});
-        steering.setParameters({{SpaceMeasure::Speed, 0, 3}});
-        QCOMPARE(steering.values(), (SpacePoint{1}));
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Menus, the palette of actions, panels and their layouts.
+#include "editor/commands/projectedits.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/actionpalette.h"
 #include "windowfixture.h"
@@ -81,6 +82,19 @@ private slots:
             }
             QVERIFY2(entries <= longest, qPrintable(menu->title()));
         }
+    }
+
+    void undoSaysWhatWhileItsMenuIsOpen()
+    {
+        openTake();
+        renameEntry(context().document, {Section::Sequences, "walk"}, "run & jump");
+        QMenu* edit = m_window->findChild<QMenu*>("editMenu");
+        const QString before = action("edit.undo")->text();
+        emit edit->aboutToShow();
+        QVERIFY2(action("edit.undo")->text().contains("run && jump"),
+                 qPrintable(action("edit.undo")->text()));
+        emit edit->aboutToHide();
+        QCOMPARE(action("edit.undo")->text(), before);
     }
 
     void everyActionOfTheMenusIsThereOnce()

@@ -124,7 +124,12 @@ private slots:
         QCOMPARE(contentOf(file()), before);
 
         emit strip("brokenStrip")->actionTriggered();
-        QTRY_COMPARE(test::find<QLabel>("propertiesTitle")->text(), QString("sequences/take 1/2"));
+        const auto title = [] {
+            return test::find<QLabel>("propertiesTitle")
+                ->text()
+                .remove(QChar(0x200B)); // where lines may break
+        };
+        QTRY_COMPARE(title(), QString("sequences/take 1/2"));
         QVERIFY(test::find<QLabel>("brokenProblem")->text().contains("slashes"));
         QVERIFY(test::find<QLabel>("brokenPlace")->text().contains("line"));
         auto* text = test::find<QPlainTextEdit>("brokenText");

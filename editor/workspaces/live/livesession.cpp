@@ -314,22 +314,27 @@ const LiveDecision* LiveSession::lastDecision() const
 
 std::pair<double, double> LiveSession::measuredMotion() const
 {
-    const auto ticks = std::min(static_cast<std::int64_t>(std::lround(measuredSeconds / tickSeconds())),
-                                m_player->state().tick);
-    if (ticks == 0)
-        return {0, 0};
-    const LiveState& now = m_player->state();
+    const LiveTrack& now = m_player->state().track;
+    const MotionSpace& space = *m_graph->graph->spaces[now.space];
+    const auto frames = static_cast<double>(space.frameCount());
     double way = 0;
     double turn = 0;
-    for (std::int64_t t = now.tick - ticks; t < now.tick; ++t) {
-        const LiveState& a = stateAt(t);
-        const LiveState& b = stateAt(t + 1);
-        if (a.track.space != b.track.space)
-            continue; // the body is laid anew
-        way += (b.track.root.shift - a.track.root.shift).norm();
-        turn += b.track.root.turn - a.track.root.turn;
+    double played = 0; // frames
+    std::int64_t t = state().tick;
+    // A body that goes straight on turns with each step: over a whole cycle that counts for nothing.
+    for (; t > 0 && (space.isCyclic ? played < frames : (state().tick - t) * tickSeconds() < measuredSeconds);
+         --t) {
+        const LiveTrack& a = stateAt(t - 1).track;
+        const LiveTrack& b = stateAt(t).track;
+        if (a.space != b.space)
+            break; // the body is laid anew
+        way += (b.root.shift - a.root.shift).norm();
+        turn += b.root.turn - a.root.turn;
+        played += b.phase - a.phase + (b.phase < a.phase ? frames : 0);
     }
-    const double seconds = static_cast<double>(ticks) * tickSeconds();
+    if (t == state().tick)
+        return {0, 0};
+    const double seconds = static_cast<double>(state().tick - t) * tickSeconds();
     return {way / seconds, turn * 180 / std::numbers::pi / seconds};
 }
 

@@ -102,7 +102,8 @@ public:
     }
     /// Pauses and shows a tick; kept within those there are.
     void goTo(std::int64_t tick);
-    /// How fast it goes over the ground, and turns to the left, over the last half second: m/s, degrees/s.
+    /// How fast it goes over the ground, and turns to the left, m/s, degrees/s: over the last cycle of the
+    /// space that is played, or over half a second of one without a cycle.
     std::pair<double, double> measuredMotion() const;
     /// What the last tick and the last pose took together, milliseconds.
     double tickMilliseconds() const { return m_tickMilliseconds + m_poseMilliseconds; }

@@ -160,6 +160,28 @@ Vec3f sizeOf(const MeshSequence& sequence)
     return boundsOf(frame.positions()).size().cast<float>();
 }
 
+/// Opens a source; where it lacks a mesh, with the first that fits. \param import  takes that mesh.
+ImportResult openWithMesh(const fs::path& source, ImportOptions& import, const std::vector<fs::path>& meshes,
+                          const Progress& progress)
+{
+    try {
+        return openSequences(source, import, progress);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::FormatNeedsMesh)
+            throw;
+        for (const fs::path& mesh : meshes) {
+            import.mesh = mesh;
+            try {
+                return openSequences(source, import, progress);
+            } catch (const Error& unfit) {
+                if (unfit.code() == ErrorCode::Cancelled)
+                    throw;
+            }
+        }
+        throw;
+    }
+}
+
 std::vector<SurveyedTake> survey(const fs::path& source, const SurveyOptions& options,
                                  const Progress& progress)
 {
@@ -174,7 +196,7 @@ std::vector<SurveyedTake> survey(const fs::path& source, const SurveyOptions& op
         import.fps = options.fps;
         if (importer.format().needsMesh)
             import.mesh = options.mesh;
-        ImportResult result = openSequences(source, import, progress);
+        ImportResult result = openWithMesh(source, import, options.knownMeshes, progress);
         take.issues = std::move(result.issues);
         take.coordinates = result.coordinates;
         take.hasOwnFps = result.hasOwnFps;

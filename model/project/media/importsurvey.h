@@ -54,7 +54,9 @@ struct SurveyedTake
 struct SurveyOptions
 {
     std::filesystem::path mesh; ///< of files with positions only; looked for beside them when empty
-    double fps = 25;            ///< of sources that name none
+    /// Meshes of characters: those that have none beside them take the first that has as many vertices.
+    std::vector<std::filesystem::path> knownMeshes;
+    double fps = 25; ///< of sources that name none
 };
 
 /// Opens each source as far as needed to describe it. One that cannot be opened says why and does not hinder

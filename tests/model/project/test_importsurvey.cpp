@@ -113,6 +113,23 @@ TEST_F(ImportSurvey, NamesTheMeshThatItFoundBeside)
     EXPECT_EQ(surveySources({folder / "c/take.pc2"}, {}).at(0).mesh, mesh);
 }
 
+TEST_F(ImportSurvey, TakesTheMeshOfACharacterThatFits)
+{
+    writeCache("c/take.pc2");
+    const fs::path known = folder / "elsewhere/mesh.obj";
+    const fs::path other = write("other.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n");
+    SurveyOptions options;
+    EXPECT_TRUE(surveySources({folder / "c/take.pc2"}, options).at(0).error);
+    options.knownMeshes = {other, folder / "gone.obj", known};
+    const SurveyedTake take = surveySources({folder / "c/take.pc2"}, options).at(0);
+    EXPECT_FALSE(take.error);
+    EXPECT_EQ(take.mesh, known);
+    options.knownMeshes = {other};
+    const auto without = surveySources({folder / "c/take.pc2"}, options);
+    ASSERT_TRUE(without.at(0).error);
+    EXPECT_EQ(without.at(0).error->code(), ErrorCode::FormatNeedsMesh);
+}
+
 TEST_F(ImportSurvey, CanBeCancelled)
 {
     CancelToken cancel;
