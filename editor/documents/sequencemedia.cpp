@@ -211,7 +211,8 @@ void SequenceMedia::open(const QString& name, Item& item)
         },
         [this](const QString& current, std::shared_ptr<const OpenedSequence> opened) {
             Item& done = *find<Item>(current);
-            done.source = sourceOf(done.entry); // its clip may have been computed just now
+            if (done.source->parts && !done.source->parts->lives.empty())
+                done.source = sourceOf(done.entry); // its clip was computed just now
             done.whole = opened->sequence;
             done.issues = opened->issues;
             done.opened = std::move(opened);

@@ -24,45 +24,41 @@ public:
     {
         std::string number = std::to_string(frame);
         number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
-        const int index = m_sequence.textures.indexFor(m_sequence.sourceFrame(FrameIndex(frame)));
-        // Those of frames that have the same one, too: numbers without a gap are a series elsewhere.
-        return write(index, "textures/" + m_stem + "/" + number);
+        const FrameIndex source = m_sequence.sourceFrame(FrameIndex(frame));
+        return copy(source.value, m_sequence.textures.indexFor(source), "textures/" + m_stem + "/" + number);
     }
 
     std::string copyOfMaterial(int material)
     {
         const int index = m_sequence.textures.indexFor(m_sequence.sourceFrame(FrameIndex(0)), material);
-        if (const auto known = m_nameOf.find(index); known != m_nameOf.end())
-            return known->second;
         const std::size_t copied = m_nameOf.size();
-        std::string name =
-            write(index, m_stem + "_texture" + (copied == 0 ? "" : std::to_string(copied + 1)));
-        if (!name.empty())
-            m_nameOf[index] = name;
-        return name;
+        return copy(index, index, m_stem + "_texture" + (copied == 0 ? "" : std::to_string(copied + 1)));
     }
 
 private:
-    /// \return the name with its ending; empty where there is no texture.
-    std::string write(int index, std::string name)
+    /// \param key  what is copied once: frames of the source, materials.
+    /// \return the name with its ending; that of the first copy where a picture was copied before.
+    std::string copy(std::int64_t key, int index, std::string name)
     {
         if (index < 0)
             return {};
         const Texture& texture = m_sequence.textures.textures()[static_cast<std::size_t>(index)];
         if (texture.isEmpty())
             return {};
+        if (const auto known = m_nameOf.find(key); known != m_nameOf.end())
+            return known->second;
         const EncodedTexture encoded = encodeTexture(texture);
         name += encoded.extension;
         writeAtomically(
             m_files.add(name),
             std::string_view(reinterpret_cast<const char*>(encoded.bytes.data()), encoded.bytes.size()));
-        return name;
+        return m_nameOf[key] = name;
     }
 
     const MeshSequence& m_sequence;
     const std::string& m_stem;
     StagedFiles& m_files;
-    std::map<int, std::string> m_nameOf; ///< of materials
+    std::map<std::int64_t, std::string> m_nameOf;
 };
 
 } // namespace
