@@ -5,8 +5,10 @@
 #include "model/project/file/projectjson.h"
 #include "model/project/json/jsontext.h"
 #include "model/project/steps/walkrequest.h"
+#include "tests/model/project/fullobjects.h"
 #include "tests/model/project/fullproject.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <map>
 #include <regex>
@@ -17,54 +19,14 @@ using ::testing::HasSubstr;
 
 namespace {
 
-struct Place
-{
-    std::string pointer; ///< of an object of this kind in the full project
-    std::string entry;   ///< as the manual calls it
-};
-
-/// By the names of the schema's definitions.
-const std::map<std::string, Place> places{
-    {"settings", {"/settings", "settings"}},
-    {"graph", {"/graph/0", "graph"}},
-    {"evaluation", {"/evaluations/0", "evaluations"}},
-    {"animation", {"/animations/0", "animations"}},
-    {"path", {"/animations/0/constraints/0", "path"}},
-    {"path_span", {"/animations/0/constraints/0/spans/0", "path.spans"}},
-    {"action", {"/animations/0/constraints/2", "action"}},
-    {"search", {"/animations/0/search", "search"}},
-    {"walk", {"/animations/0/walk", "walk"}},
-    {"post", {"/animations/0/post", "post"}},
-    {"varied_repeats", {"/animations/0/post/variations", "post.variations"}},
-    {"loop", {"/animations/0/post/loop", "post.loop"}},
-    {"contact_correction", {"/animations/0/post/contact_correction", "post.contact_correction"}},
-    {"retime", {"/animations/0/post/retime", "post.retime"}},
-    {"audio", {"/animations/0/audio", "audio"}},
-    {"camera_key", {"/animations/0/camera/0", "camera"}},
-    {"variation", {"/variations/0", "variations"}},
-    {"blend", {"/variations/0/blends/0", "blends"}},
-    {"across_blend", {"/variations/0/blends/0/across", "blends.across"}},
-    {"learning", {"/variations/0/learning", "learning"}},
-    {"sampling", {"/variations/0/sampling", "sampling"}},
-    {"variation_limits", {"/variations/0/limits", "limits"}},
-    {"samples", {"/variations/0/samples/0", "samples"}},
-    {"across_samples", {"/variations/0/samples/0/across", "samples.across"}},
-    {"named_frame", {"/variations/0/template", "template"}},
-    {"motion_space", {"/motion_spaces/0", "motion_spaces"}},
-    {"space_take", {"/motion_spaces/0/takes/0", "motion_spaces.takes"}},
-    {"space_parameter", {"/motion_spaces/0/parameters/0", "motion_spaces.parameters"}},
-    {"appearance", {"/appearance/0", "appearance"}},
-    {"live", {"/live/0", "live"}},
-    {"transfer", {"/transfers/0", "transfers"}},
-    {"projection", {"/projections/0", "projections"}},
-    {"mask_stroke", {"/appearance/0/completions/0/strokes/0", "appearance.completions.strokes"}},
-    {"export", {"/exports/0", "exports"}},
-    {"picture", {"/exports/0/picture", "exports.picture"}},
-    {"view", {"/exports/0/picture/view", "exports.picture.view"}},
-};
-
 /// Defaults by entry and key.
 using Defaults = std::map<std::string, std::map<std::string, Json>>;
+
+const FullObject* fullObject(const std::string& definition)
+{
+    const auto* found = std::ranges::find(fullObjects, definition, &FullObject::definition);
+    return found == std::end(fullObjects) ? nullptr : found;
+}
 
 const Json& definitions()
 {
@@ -78,9 +40,11 @@ Defaults ofSchema()
     for (const auto& [name, definition] : definitions().items()) {
         if (!definition.contains("properties"))
             continue;
+        const FullObject* object = fullObject(name);
+        const std::string entry = object != nullptr && object->entry != nullptr ? object->entry : name;
         for (const auto& [key, property] : definition["properties"].items())
             if (property.contains("default"))
-                defaults[places.contains(name) ? places.at(name).entry : name][key] = property["default"];
+                defaults[entry][key] = property["default"];
     }
     return defaults;
 }
@@ -146,8 +110,9 @@ TEST(Defaults, OfTheSchemaAreThoseOfTheCode)
         for (const auto& [key, property] : definition["properties"].items()) {
             if (!property.contains("default"))
                 continue;
-            ASSERT_TRUE(places.contains(name)) << name;
-            const Json::json_pointer place(places.at(name).pointer);
+            const FullObject* object = fullObject(name);
+            ASSERT_NE(object, nullptr) << name;
+            const Json::json_pointer place(object->place);
             Json without = full;
             ASSERT_EQ(without[place].erase(key), 1U) << name << "." << key;
             Json with = without;
