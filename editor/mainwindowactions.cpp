@@ -65,6 +65,16 @@ void MainWindow::makeActions()
     actions.add({"edit.redo", edit, [] { return tr("&Redo"); }, {}, "redo", standardKeys(QKeySequence::Redo)},
                 [this] { m_context.document.redo(); });
     addRightMenu(*findChild<QUndoView*>(), {actions.action("edit.undo"), actions.action("edit.redo")});
+    actions.add({"edit.properties",
+                 edit,
+                 [] { return tr("Pr&operties"); },
+                 [] { return tr("Shows the properties of what is selected in the project"); },
+                 "info",
+                 {QKeySequence(Qt::ALT | Qt::Key_Return)}},
+                [this] {
+                    m_propertiesDock->show();
+                    m_propertiesDock->raise();
+                });
     actions.add({"edit.preferences", edit, [] { return tr("&Preferences…"); },
                  [] { return tr("Theme, language, copies, shortcuts"); }, "settings",
                  standardKeys(QKeySequence::Preferences)},

@@ -72,6 +72,13 @@
             <numerusform>Ready: %n textures learned</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1; they have no more than %n component(s)</source>
+        <translation>
+            <numerusform>%1; they have no more than %n component</numerusform>
+            <numerusform>%1; they have no more than %n components</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AppearancePage</name>

@@ -3292,6 +3292,26 @@
         <source>a clip, only the motion spaces of a performance (“live/NAME”)</source>
         <translation>un clip, seulement les espaces de mouvement d’une performance (« live/NOM »)</translation>
     </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 images</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
+    <message>
+        <source>at least %1 bytes</source>
+        <translation>au moins %1 octets</translation>
+    </message>
+    <message>
+        <source>a header of %1 bytes</source>
+        <translation>un en-tête de %1 octets</translation>
+    </message>
+    <message>
+        <source>the header says %1 frames</source>
+        <translation>l’en-tête dit %1 images</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::AboutDialog</name>
@@ -3543,12 +3563,12 @@
         <translation>Voici ce que serait une autre transition.</translation>
     </message>
     <message>
-        <source>Return takes it; Shift+E goes back to the clip.</source>
-        <translation>Entrée la prend&#xa0;; Maj+E revient au clip.</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Réessayer</translation>
+    </message>
+    <message>
+        <source>Return takes it; Escape goes back to the clip.</source>
+        <translation>Entrée la prend&#xa0;; Échap revient au clip.</translation>
     </message>
 </context>
 <context>
@@ -3920,16 +3940,16 @@
         <translation>Poids β d’une image</translation>
     </message>
     <message>
-        <source>No walk of the graph costs less than</source>
-        <translation>Aucun parcours du graphe ne coûte moins de</translation>
-    </message>
-    <message>
         <source>from key to key</source>
         <translation>d’une clé à l’autre</translation>
     </message>
     <message>
         <source>Proven best in the Essential graph</source>
         <translation>Meilleur prouvé dans le graphe essentiel</translation>
+    </message>
+    <message>
+        <source>Lower bound of the cost</source>
+        <translation>Borne inférieure du coût</translation>
     </message>
 </context>
 <context>
@@ -4174,12 +4194,19 @@
         <translation>Cela n’a pas marché.</translation>
     </message>
     <message>
-        <source>Out of date: the model is of other settings or textures</source>
-        <translation>Périmé : le modèle vient d’autres réglages ou d’autres textures</translation>
-    </message>
-    <message>
         <source>Not built yet</source>
         <translation>Pas encore construit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; they have no more than %n component(s)</source>
+        <translation>
+            <numerusform>%1&#xa0;; elles n’ont pas plus de %n composante</numerusform>
+            <numerusform>%1&#xa0;; elles n’ont pas plus de %n composantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Out of date: of other settings or textures. Build it again.</source>
+        <translation>Périmé&#xa0;: d’autres réglages ou d’autres textures. Construisez-le à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -5239,10 +5266,6 @@
         <translation>Les évaluations mesurent les prises du projet, comme le font les articles, et ce qui se voit de ce que l’on en fait. Choisissez-en une à ajouter.</translation>
     </message>
     <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Ajouter</translation>
-    </message>
-    <message>
         <source>Evaluations that can be added</source>
         <translation>Évaluations que l’on peut ajouter</translation>
     </message>
@@ -5282,6 +5305,10 @@
     <message>
         <source>The project has no motion space of several takes.</source>
         <translation>Le projet n’a pas d’espace de mouvement de plusieurs prises.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
     </message>
 </context>
 <context>
@@ -7241,6 +7268,10 @@
         <source>Only what you decide changes, and what is next to it; the rest of the walk stays.</source>
         <translation>Seul change ce que vous décidez, et ce qui est à côté&#xa0;; le reste du parcours demeure.</translation>
     </message>
+    <message>
+        <source>No other transition is nearby.</source>
+        <translation>Aucune autre transition n’est proche.</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::KeysAndStoryboard</name>
@@ -7831,10 +7862,6 @@
         <translation>Retire le glissement des pieds qui touchent le sol dans la prise, avant que les variations soient jugées</translation>
     </message>
     <message>
-        <source>Keep standing &amp;feet still</source>
-        <translation>&amp;Tenir immobiles les pieds posés</translation>
-    </message>
-    <message>
         <source>Collapse</source>
         <translation>Effondrement</translation>
     </message>
@@ -7901,6 +7928,10 @@
         <source> % of size/s</source>
         <comment>percent</comment>
         <translation> % de la taille/s</translation>
+    </message>
+    <message>
+        <source>Keep standing feet still</source>
+        <translation>Tenir immobiles les pieds posés</translation>
     </message>
 </context>
 <context>
@@ -8159,6 +8190,10 @@
     <message>
         <source>New motion space</source>
         <translation>Nouvel espace de mouvement</translation>
+    </message>
+    <message>
+        <source>Edit the motion space</source>
+        <translation>Modifier l’espace de mouvement</translation>
     </message>
 </context>
 <context>
@@ -8489,6 +8524,14 @@
         <source>&amp;Live</source>
         <translation>En &amp;direct</translation>
     </message>
+    <message>
+        <source>Pr&amp;operties</source>
+        <translation>Pr&amp;opriétés</translation>
+    </message>
+    <message>
+        <source>Shows the properties of what is selected in the project</source>
+        <translation>Montre les propriétés de ce qui est sélectionné dans le projet</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MarkEdits</name>
@@ -8804,6 +8847,34 @@
         <source>Duplicate “%1”</source>
         <translation>Dupliquer «&#xa0;%1&#xa0;»</translation>
     </message>
+    <message>
+        <source>turning</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>jump height</source>
+        <translation>hauteur du saut</translation>
+    </message>
+    <message>
+        <source>jump length</source>
+        <translation>longueur du saut</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>hauteur</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>avant</translation>
+    </message>
+    <message>
+        <source>side</source>
+        <translation>côté</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>paramètre</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MotionSpacePage</name>
@@ -8882,10 +8953,6 @@
     <message>
         <source>Add a parameter</source>
         <translation>Ajouter un paramètre</translation>
-    </message>
-    <message>
-        <source>parameter</source>
-        <translation>paramètre</translation>
     </message>
     <message>
         <source>Name a parameter</source>
@@ -10270,10 +10337,6 @@ maximal %2</translation>
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>&amp;Close to a seamless loop</source>
-        <translation>&amp;Fermer en boucle sans couture</translation>
-    </message>
-    <message>
         <source>Cuts both ends where they fit best and blends one into the other</source>
         <translation>Coupe les deux bouts là où ils s’accordent le mieux et fond l’un dans l’autre</translation>
     </message>
@@ -10292,10 +10355,6 @@ maximal %2</translation>
     <message>
         <source>How far from the last frame the loop may end</source>
         <translation>À quelle distance de la dernière image la boucle peut finir</translation>
-    </message>
-    <message>
-        <source>Stay in &amp;place</source>
-        <translation>Rester sur &amp;place</translation>
     </message>
     <message>
         <source>Takes the way over the ground out, so that each round begins where it began</source>
@@ -10359,10 +10418,6 @@ maximal %2</translation>
         <translation>Combien dure le résultat</translation>
     </message>
     <message>
-        <source>Keep the speed over the &amp;ground</source>
-        <translation>&amp;Garder la vitesse au sol</translation>
-    </message>
-    <message>
         <source>The figure goes as fast as in the clip, and its feet slide; otherwise its way slows with its poses</source>
         <translation>La figure va aussi vite que dans le clip, et ses pieds glissent&#xa0;; sinon son chemin ralentit avec ses poses</translation>
     </message>
@@ -10378,10 +10433,6 @@ maximal %2</translation>
     <message>
         <source>Feet</source>
         <translation>Pieds</translation>
-    </message>
-    <message>
-        <source>Keep standing &amp;feet still</source>
-        <translation>&amp;Tenir immobiles les pieds posés</translation>
     </message>
     <message>
         <source>Takes slip from feet while they touch the ground</source>
@@ -10435,10 +10486,6 @@ maximal %2</translation>
     <message>
         <source>Mirror</source>
         <translation>Miroir</translation>
-    </message>
-    <message>
-        <source>Exchange left and &amp;right</source>
-        <translation>Échanger gauche et &amp;droite</translation>
     </message>
     <message>
         <source>Needs the symmetry of the mesh: found, or read from a file</source>
@@ -10555,10 +10602,6 @@ maximal %2</translation>
         <translation>habituel (%L1)</translation>
     </message>
     <message>
-        <source>&amp;All keys at once</source>
-        <translation>Toutes les clés à l&amp;a fois</translation>
-    </message>
-    <message>
         <source>Seeks the best walk over all keys; otherwise from key to key, as published</source>
         <translation>Cherche le meilleur parcours sur toutes les clés&#xa0;; sinon de clé en clé, comme publié</translation>
     </message>
@@ -10665,6 +10708,30 @@ maximal %2</translation>
         <source>usual (%L1°/m)</source>
         <comment>degrees a metre</comment>
         <translation>usuel (%L1°/m)</translation>
+    </message>
+    <message>
+        <source>Close to a seamless loop</source>
+        <translation>Fermer en boucle sans couture</translation>
+    </message>
+    <message>
+        <source>Stay in place</source>
+        <translation>Rester sur place</translation>
+    </message>
+    <message>
+        <source>Keep the speed over the ground</source>
+        <translation>Garder la vitesse au sol</translation>
+    </message>
+    <message>
+        <source>Keep standing feet still</source>
+        <translation>Tenir immobiles les pieds posés</translation>
+    </message>
+    <message>
+        <source>Exchange left and right</source>
+        <translation>Échanger gauche et droite</translation>
+    </message>
+    <message>
+        <source>All keys at once</source>
+        <translation>Toutes les clés à la fois</translation>
     </message>
 </context>
 <context>
@@ -12783,16 +12850,8 @@ maximal %2</translation>
 <context>
     <name>quadrille::SteeringPanel</name>
     <message>
-        <source>&amp;Responsive</source>
-        <translation>&amp;Réactif</translation>
-    </message>
-    <message>
         <source>Transitions come at once, where they may be seen more; R. Else they wait for poses that are alike.</source>
         <translation>Les transitions viennent aussitôt, où elles peuvent se voir davantage ; R. Sinon elles attendent des poses semblables.</translation>
-    </message>
-    <message>
-        <source>Steer with W A S D or the arrows, 1 to 9 for spaces, J to jump, Space to pause.</source>
-        <translation>Dirigez par W A S D ou les flèches, 1 à 9 pour les espaces, J pour sauter, Espace pour la pause.</translation>
     </message>
     <message>
         <source>Motion spaces show here.</source>
@@ -12825,6 +12884,39 @@ maximal %2</translation>
     <message>
         <source>Transitions that were made</source>
         <translation>Transitions faites</translation>
+    </message>
+    <message>
+        <source>1 to 9: spaces · J: jump · Space: pause</source>
+        <comment>keys</comment>
+        <translation>1 à 9&#xa0;: espaces · J&#xa0;: saut · Espace&#xa0;: pause</translation>
+    </message>
+    <message>
+        <source>A D or ← →</source>
+        <comment>keys</comment>
+        <translation>A D ou ← →</translation>
+    </message>
+    <message>
+        <source>W S or ↑ ↓</source>
+        <comment>keys</comment>
+        <translation>W S ou ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Page ↑ ↓</source>
+        <comment>keys</comment>
+        <translation>Page ↑ ↓</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>keys, and the parameter that they steer</extracomment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Nothing steers this motion space: it is always the same.</source>
+        <translation>Rien ne dirige cet espace de mouvement&#xa0;: il est toujours le même.</translation>
+    </message>
+    <message>
+        <source>Responsive</source>
+        <translation>Réactif</translation>
     </message>
 </context>
 <context>

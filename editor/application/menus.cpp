@@ -62,7 +62,8 @@ void Menus::addFile()
              "file.importFolder", "file.findMissing", "file.resultFolder", "", "file.save", "file.saveAs", "",
              "file.export", "", "file.quit"});
     QMenu* edit = addMenu("editMenu", [] { return tr("&Edit"); },
-                          {"edit.undo", "edit.redo", "", "edit.rename", "edit.duplicate", "edit.remove", ""});
+                          {"edit.undo", "edit.redo", "", "edit.rename", "edit.duplicate", "edit.remove",
+                           "edit.properties", ""});
     addSubmenu(*edit, "takeMenu", [] { return tr("&Take"); },
                {"edit.trimStart", "edit.trimEnd", "edit.untrim", "", "edit.label", "edit.labelTakes",
                 "edit.proposeContacts", "edit.clearContacts"});

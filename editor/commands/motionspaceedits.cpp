@@ -6,6 +6,10 @@
 #include "model/project/document/findentry.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 
 namespace quadrille {
 
@@ -16,7 +20,76 @@ struct MotionSpaceTexts
     Q_DECLARE_TR_FUNCTIONS(quadrille::MotionSpaceEdits)
 };
 
+/// What a parameter is called by what it measures.
+QString nameOf(SpaceMeasure measure)
+{
+    switch (measure) {
+    case SpaceMeasure::Speed:
+        return MotionSpaceTexts::tr("speed");
+    case SpaceMeasure::Turning:
+        return MotionSpaceTexts::tr("turning");
+    case SpaceMeasure::JumpHeight:
+        return MotionSpaceTexts::tr("jump height");
+    case SpaceMeasure::JumpLength:
+        return MotionSpaceTexts::tr("jump length");
+    case SpaceMeasure::Height:
+        return MotionSpaceTexts::tr("height");
+    case SpaceMeasure::Forward:
+        return MotionSpaceTexts::tr("forward");
+    case SpaceMeasure::Side:
+        return MotionSpaceTexts::tr("side");
+    default:
+        return MotionSpaceTexts::tr("parameter");
+    }
+}
+
+/// With a number where another parameter is called so.
+std::string freeName(const MotionSpaceEntry& entry, SpaceMeasure measure)
+{
+    const std::string base = nameOf(measure).toStdString();
+    std::string name = base;
+    for (int number = 2;
+         std::ranges::find(entry.parameters, name, &SpaceParameterEntry::name) != entry.parameters.end();
+         ++number)
+        name = base + ' ' + std::to_string(number);
+    return name;
+}
+
+bool isNamedFor(const std::string& name, SpaceMeasure measure)
+{
+    const std::string base = nameOf(measure).toStdString();
+    if (!name.starts_with(base))
+        return false;
+    const std::string_view number = std::string_view(name).substr(base.size());
+    return number.empty() ||
+           (number.starts_with(' ') && number.find_first_not_of("0123456789", 1) == std::string_view::npos);
+}
+
 } // namespace
+
+void addParameter(MotionSpaceEntry& entry)
+{
+    const auto isFree = [&](SpaceMeasure measure) {
+        return std::ranges::find(entry.parameters, measure, &SpaceParameterEntry::measure) ==
+               entry.parameters.end();
+    };
+    constexpr std::array measures{SpaceMeasure::Speed, SpaceMeasure::Turning, SpaceMeasure::JumpHeight,
+                                  SpaceMeasure::JumpLength};
+    const auto* free = std::ranges::find_if(measures, isFree);
+    SpaceParameterEntry added;
+    added.measure = free == measures.end() ? SpaceMeasure::ByHand : *free;
+    added.name = freeName(entry, added.measure);
+    entry.parameters.push_back(std::move(added));
+}
+
+void followMeasure(MotionSpaceEntry& entry, std::size_t parameter, SpaceMeasure before)
+{
+    SpaceParameterEntry& changed = entry.parameters[parameter];
+    if (changed.measure == before || !isNamedFor(changed.name, before))
+        return;
+    changed.name.clear();
+    changed.name = freeName(entry, changed.measure);
+}
 
 QString addMotionSpace(ProjectDocument& document, const QString& name, const QStringList& sequences)
 {
@@ -35,7 +108,7 @@ QString addMotionSpace(ProjectDocument& document, const QString& name, const QSt
             entry.takes.emplace_back().sequence = sequence.toStdString();
     }
     if (entry.takes.size() > 1)
-        entry.parameters.emplace_back().name = MotionSpaceTexts::tr("speed").toStdString();
+        addParameter(entry);
     return addEntry(document, MotionSpaceTexts::tr("Add motion space “%1”"), std::move(entry));
 }
 

@@ -25,4 +25,10 @@ void setMotionSpace(ProjectDocument& document, const QString& name, const QStrin
 /// The sequences that its takes may be. \return in project order.
 QStringList sequencesFor(const Project& project, const MotionSpaceEntry& entry);
 
+/// Adds a parameter that measures what no other one does, where there is such a thing, with a name of its
+/// own.
+void addParameter(MotionSpaceEntry& entry);
+/// A parameter that is called by what it measured before is called by what it measures now.
+void followMeasure(MotionSpaceEntry& entry, std::size_t parameter, SpaceMeasure before);
+
 } // namespace quadrille

@@ -185,6 +185,7 @@ void ProjectPanel::makeActions()
             const QString name =
                 addMotionSpace(m_context.document, tr("motion space"), m_context.selection.sequences());
             m_context.selection.select({Section::MotionSpaces, name});
+            m_context.actions.action("edit.properties")->trigger();
         });
     // Keys that mean something else in a text or on the timeline.
     for (QAction* action : {rename, duplicate, remove}) {
@@ -295,6 +296,9 @@ void ProjectPanel::activate(const QModelIndex& index)
         m_context.actions.action(QLatin1String(section->opening))->trigger();
     else if (entry.section == Section::Evaluations && m_model->rowCount(index) == 0)
         m_context.actions.action("evaluations.add")->trigger();
+    // Its workspace has no panel for it.
+    if (entry.section == Section::MotionSpaces && !entry.name.isEmpty())
+        m_context.actions.action("edit.properties")->trigger();
 }
 
 void ProjectPanel::hideEmpty()
@@ -335,7 +339,8 @@ void ProjectPanel::fillSectionMenu(QMenu& menu, const QModelIndex& section)
 
 void ProjectPanel::fillEntryMenu(QMenu& menu, const EntryRef& entry)
 {
-    for (const char* id : {"edit.rename", "edit.duplicate", "edit.remove", "file.export"}) {
+    for (const char* id :
+         {"edit.rename", "edit.duplicate", "edit.remove", "edit.properties", "file.export"}) {
         if (QAction* action = m_context.actions.action(QLatin1String(id)); action->isEnabled())
             menu.addAction(action);
     }

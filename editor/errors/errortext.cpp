@@ -3,7 +3,10 @@
 #include "editor/errors/errortext.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
+#include <iterator>
 
 namespace quadrille {
 
@@ -21,11 +24,29 @@ QString translated(const std::string& english)
     return english.empty() ? QString() : QCoreApplication::translate("quadrille", english.c_str());
 }
 
+/// Values that count something, with %1 for the number, which is written as it is.
+constexpr const char* countedValues[] = {QT_TRANSLATE_NOOP("quadrille", "%1 frames"),
+                                         QT_TRANSLATE_NOOP("quadrille", "%1 bytes"),
+                                         QT_TRANSLATE_NOOP("quadrille", "at least %1 bytes"),
+                                         QT_TRANSLATE_NOOP("quadrille", "a header of %1 bytes"),
+                                         QT_TRANSLATE_NOOP("quadrille", "the header says %1 frames")};
+
+QString translatedValue(const std::string& english)
+{
+    static const QRegularExpression number(QStringLiteral("\\d+"));
+    const QString text = QString::fromStdString(english);
+    const QRegularExpressionMatch match = number.match(text);
+    const std::string counted = QString(text).replace(number, QStringLiteral("%1")).toStdString();
+    if (!match.hasMatch() || std::ranges::find(countedValues, counted) == std::end(countedValues))
+        return translated(english);
+    return translated(counted).arg(match.captured());
+}
+
 QString filled(const char* english, const ErrorContext& context)
 {
     ErrorContext values;
     for (const auto& [name, value] : context.values)
-        values.values.emplace_back(name, translated(value).toStdString());
+        values.values.emplace_back(name, translatedValue(value).toStdString());
     return QString::fromStdString(fillMessage(translated(english).toStdString(), values));
 }
 

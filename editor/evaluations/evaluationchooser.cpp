@@ -115,7 +115,7 @@ EvaluationChooser::EvaluationChooser(EditorContext& context, QWidget* parent)
         m_heading->setText(
             tr("Evaluations measure the project’s own takes, as the papers do, and what shows of "
                "what is made of them. Choose one to add."));
-        m_add->setText(tr("&Add"));
+        m_add->setText(tr("Add"));
         m_list->setAccessibleName(tr("Evaluations that can be added"));
         refresh();
     });

@@ -7,6 +7,7 @@
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
 #include "editor/fields/clipchoice.h"
+#include "editor/fields/namebox.h"
 #include "editor/fields/numberfield.h"
 #include "editor/fields/rangefield.h"
 #include "editor/language/retranslate.h"
@@ -88,6 +89,7 @@ void ExportDialog::makeControls()
     name(m_export, "exportAccept");
     name(m_cancel, "exportCancel");
     listClips(*m_clip, m_context.document.project(), m_plan.clips);
+    fitToNames(*m_clip);
     m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);
@@ -96,6 +98,9 @@ void ExportDialog::makeControls()
     m_keep->setVisible(m_plan.edited.isEmpty());
     m_export->setDefault(true);
     m_progress->setRange(0, 1000);
+    QSizePolicy keepsRoom = m_progress->sizePolicy(); // the dialog must not grow when it comes
+    keepsRoom.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsRoom);
     m_progress->hide();
 
     auto* place = new QHBoxLayout;
@@ -186,7 +191,7 @@ void ExportDialog::readControls()
         entry.fps.reset();
         entry.axes.reset();
     }
-    const bool isWhole = sequence() == nullptr || isDataSet() || m_plan.clips.size() > 1 || m_plan.isPlayer();
+    const bool isWhole = frameCount() == 0 || isDataSet() || m_plan.clips.size() > 1 || m_plan.isPlayer();
     entry.range = isWhole ? std::nullopt : m_range->range();
     if (m_plan.isPicture())
         entry.picture = picture();
@@ -224,9 +229,8 @@ void ExportDialog::showPlan()
     m_clip->setCurrentIndex(m_clip->findData(m_plan.clips.front()));
     m_format->setCurrentIndex(m_format->findData(QString::fromStdString(m_plan.format().id)));
     m_place->setText(QString::fromStdString(entry.path));
-    const MeshSequence* shown = sequence();
-    m_range->setRange(entry.range, shown == nullptr ? 0 : shown->frameCount());
-    m_range->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && shown != nullptr && !m_plan.isPlayer());
+    m_range->setRange(entry.range, frameCount());
+    m_range->setEnabled(m_plan.clips.size() == 1 && !isDataSet() && frameCount() > 0 && !m_plan.isPlayer());
     m_fps->setEnabled(!m_plan.isPlayer());
     m_fps->setValue(entry.fps.value_or(settings.fps));
     m_axes->setProjectAxes(settings.axes);

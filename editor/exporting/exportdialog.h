@@ -102,7 +102,9 @@ private:
     bool isDataSet() const;
     /// Frames of the first clip as the project has it; null while it is not ready.
     const MeshSequence* sequence() const;
-    /// Nothing while the clip is not ready.
+    /// Of the first clip; 0 while it is not known.
+    std::int64_t frameCount() const;
+    /// Nothing while they are not known.
     std::optional<std::int64_t> framesWritten() const;
 
     EditorContext& m_context;

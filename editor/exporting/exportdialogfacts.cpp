@@ -8,7 +8,9 @@
 #include "editor/fields/axesfields.h"
 #include "editor/fields/clipchoice.h"
 #include "editor/pictures/takepreview.h"
+#include "model/project/document/findentry.h"
 #include "model/project/results/openanimation.h"
+#include "model/project/steps/livework.h"
 #include "widgets/controls/messagestrip.h"
 
 #include <QCheckBox>
@@ -55,11 +57,24 @@ const MeshSequence* ExportDialog::sequence() const
 
 std::optional<std::int64_t> ExportDialog::framesWritten() const
 {
-    const MeshSequence* shown = sequence();
-    if (shown == nullptr)
+    const std::int64_t all = frameCount();
+    if (all == 0)
         return std::nullopt;
-    const MeshSequence cut = m_plan.entry.range ? shown->cutTo(*m_plan.entry.range) : *shown;
-    return m_plan.entry.fps ? resampled(cut, *m_plan.entry.fps).frameCount() : cut.frameCount();
+    const std::int64_t frames = m_plan.entry.range ? m_plan.entry.range->count() : all;
+    const MeshSequence* shown = sequence();
+    const double fps = shown == nullptr ? m_context.document.project().settings.fps : shown->fps;
+    return m_plan.entry.fps ? resampledFrames(frames, fps, *m_plan.entry.fps) : frames;
+}
+
+std::int64_t ExportDialog::frameCount() const
+{
+    if (const MeshSequence* shown = sequence())
+        return shown->frameCount();
+    // A performance is known before it is computed.
+    const LiveEntry* live =
+        isLive() ? findLive(m_context.document.project(), nameOfClip(m_plan.clips.front()).toStdString())
+                 : nullptr;
+    return live == nullptr ? 0 : performedFrames(*live);
 }
 
 void ExportDialog::showFacts()

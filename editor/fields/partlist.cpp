@@ -6,6 +6,7 @@
 #include "widgets/theme/theme.h"
 
 #include <QKeyEvent>
+#include <QResizeEvent>
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -15,15 +16,16 @@ namespace {
 
 constexpr int partHeight = 24; // pixels
 constexpr int mostRows = 6;
+constexpr int textMargin = 8; // pixels
 
 } // namespace
 
 PartList::PartList(const QString& name, QWidget* parent) : QListWidget(parent)
 {
     setObjectName(name);
-    setUniformItemSizes(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFont(widgets::Theme::tabularFont(font()));
+    setWordWrap(true);
 }
 
 void PartList::fill(const QStringList& texts)
@@ -32,11 +34,32 @@ void PartList::fill(const QStringList& texts)
     const int row = currentRow();
     clear();
     addItems(texts);
-    for (int i = 0; i < count(); ++i)
-        item(i)->setSizeHint({0, partHeight});
     setCurrentRow(row < count() ? row : -1);
     setVisible(count() > 0);
-    setFixedHeight(std::min(count(), mostRows) * partHeight + 2 * frameWidth());
+    arrange();
+}
+
+/// Long texts have as many lines as they need.
+void PartList::arrange()
+{
+    int height = 2 * frameWidth();
+    for (int i = 0; i < count(); ++i) {
+        const QRect room(0, 0, std::max(1, viewport()->width() - 2 * textMargin), 0);
+        const int text =
+            fontMetrics().boundingRect(room, Qt::TextWordWrap | Qt::AlignLeading, item(i)->text()).height();
+        const int row = std::max(partHeight, text + partHeight - fontMetrics().height());
+        item(i)->setSizeHint({0, row});
+        if (i < mostRows)
+            height += row;
+    }
+    setFixedHeight(height);
+}
+
+void PartList::resizeEvent(QResizeEvent* event)
+{
+    QListWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        arrange();
 }
 
 void PartList::showRow(int row)

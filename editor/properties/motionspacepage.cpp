@@ -20,6 +20,8 @@ namespace quadrille {
 
 namespace {
 
+constexpr int linesOfState = 4;
+
 QToolButton* iconButton(const char* icon)
 {
     auto* button = new QToolButton;
@@ -91,8 +93,11 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
     , m_parameterFields(*m_parameterForm,
                         [this](const QString& text, const char* property, const auto& change) {
                             if (const auto index = parameter())
-                                edit(text, property,
-                                     [&](MotionSpaceEntry& after) { change(after.parameters[*index]); });
+                                edit(text, property, [&](MotionSpaceEntry& after) {
+                                    const SpaceMeasure before = after.parameters[*index].measure;
+                                    change(after.parameters[*index]);
+                                    followMeasure(after, *index, before);
+                                });
                         })
     , m_form(new SettingForm)
     , m_fields(*m_form, [this](const QString& text, const char* property, const auto& change) {
@@ -101,6 +106,9 @@ MotionSpacePage::MotionSpacePage(EditorContext& context)
 {
     m_state = addFact("motionSpaceState", [] { return tr("State"); });
     m_state->setWordWrap(true);
+    // As high while it is computed as afterwards, or what is below would move under the pointer.
+    m_state->setAlignment(Qt::AlignTop | Qt::AlignLeading);
+    m_state->setMinimumHeight(linesOfState * m_state->fontMetrics().lineSpacing());
     addWide("motionSpaceMap", m_map);
     addTakes();
     addParameters();
@@ -188,15 +196,8 @@ void MotionSpacePage::addParameters()
         [] { return tr("What its takes differ in: one to three parameters"); });
     addWide("motionSpaceParameterButtons", inRow(m_addParameter, m_removeParameter, false));
     connect(m_addParameter, &QToolButton::clicked, this, [this] {
-        edit(tr("Add a parameter"), "motionSpaceAddParameter", [](MotionSpaceEntry& after) {
-            const QString base = tr("parameter");
-            QString name = base;
-            for (int number = 2; std::ranges::find(after.parameters, name.toStdString(),
-                                                   &SpaceParameterEntry::name) != after.parameters.end();
-                 ++number)
-                name = base + QLatin1Char(' ') + QString::number(number);
-            after.parameters.emplace_back().name = name.toStdString();
-        });
+        edit(tr("Add a parameter"), "motionSpaceAddParameter",
+             [](MotionSpaceEntry& after) { addParameter(after); });
     });
     connect(m_removeParameter, &QToolButton::clicked, this, [this] {
         if (const auto index = parameter())

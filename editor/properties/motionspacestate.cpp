@@ -18,11 +18,14 @@ namespace quadrille {
 
 namespace {
 
-/// The result of a space where it is as the project says; null otherwise.
-const MotionSpaceResult* readyResult(const EditorContext& context, const QString& name)
+/// The result of a space, or the one before while it is computed: what changes does so once. Null where there
+/// is none.
+const MotionSpaceResult* shownResult(const EditorContext& context, const QString& name)
 {
     const MotionSpaceResults::State* state = context.motionSpaces.resultState(name);
-    return state != nullptr && state->phase == ResultPhase::Ready ? state->result.get() : nullptr;
+    const bool isShown =
+        state != nullptr && (state->phase == ResultPhase::Ready || state->phase == ResultPhase::Computing);
+    return isShown ? state->result.get() : nullptr;
 }
 
 QString sizeText(const MotionSpace& space)
@@ -63,8 +66,8 @@ QString MotionSpacePage::takeText(std::size_t index) const
         parts += tr("reversed");
     if (shown.speed != 1)
         parts += QStringLiteral("× ") + QLocale().toString(shown.speed, 'g', 4);
-    const MotionSpaceResult* result = readyResult(context(), entryName());
-    if (result != nullptr && index < result->space->takes.size()) {
+    const MotionSpaceResult* result = shownResult(context(), entryName());
+    if (result != nullptr && index < result->entry.takes.size() && result->entry.takes[index] == shown) {
         const SpacePoint& place = result->space->weights.nodes()[index].place;
         for (std::size_t p = 0; p < result->space->parameters.size(); ++p)
             parts += measureText(place[p], result->space->parameters[p].measure);
@@ -74,9 +77,11 @@ QString MotionSpacePage::takeText(std::size_t index) const
 
 QString MotionSpacePage::parameterText(std::size_t index) const
 {
-    QString name = QString::fromStdString(entry().parameters[index].name);
-    const MotionSpaceResult* result = readyResult(context(), entryName());
-    if (result == nullptr || index >= result->space->parameters.size())
+    const SpaceParameterEntry& shown = entry().parameters[index];
+    QString name = QString::fromStdString(shown.name);
+    const MotionSpaceResult* result = shownResult(context(), entryName());
+    if (result == nullptr || index >= result->entry.parameters.size() ||
+        result->entry.parameters[index].measure != shown.measure)
         return name;
     const ParameterMap& map = result->space->map;
     const SpaceMeasure measure = result->space->parameters[index].measure;
@@ -88,9 +93,10 @@ QString MotionSpacePage::parameterText(std::size_t index) const
 void MotionSpacePage::showState()
 {
     const MotionSpaceResults::State* state = context().motionSpaces.resultState(entryName());
-    const MotionSpaceResult* ready = readyResult(context(), entryName());
-    m_map->setSpace(ready == nullptr ? nullptr : ready->space);
-    m_map->setVisible(ready != nullptr);
+    const MotionSpaceResult* result = shownResult(context(), entryName());
+    m_map->setSpace(result == nullptr ? nullptr : result->space);
+    m_map->setVisible(result != nullptr);
+    m_map->setEnabled(state != nullptr && state->phase == ResultPhase::Ready);
     if (state == nullptr || state->phase == ResultPhase::Impossible) {
         m_state->setText(entry().takes.empty() ? tr("It has no takes") : QString());
     } else if (state->phase == ResultPhase::Failed) {

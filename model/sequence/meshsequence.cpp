@@ -193,6 +193,12 @@ std::vector<Vec3f> loadFrames(const MeshSequence& sequence, const Progress& prog
     return all;
 }
 
+std::int64_t resampledFrames(std::int64_t frames, double from, double to)
+{
+    const auto last = static_cast<double>(frames - 1);
+    return static_cast<std::int64_t>(std::floor(last * to / from + 1e-9)) + 1;
+}
+
 MeshSequence resampled(const MeshSequence& sequence, double fps)
 {
     if (!(fps > 0) || !std::isfinite(fps)) {
@@ -205,8 +211,7 @@ MeshSequence resampled(const MeshSequence& sequence, double fps)
     if (fps == sequence.fps)
         return sequence;
     const double step = sequence.fps / fps;
-    const auto last = static_cast<double>(sequence.frameCount() - 1);
-    const auto frameCount = static_cast<std::int64_t>(std::floor(last / step + 1e-9)) + 1;
+    const std::int64_t frameCount = resampledFrames(sequence.frameCount(), sequence.fps, fps);
     const auto nearest = [step](FrameIndex frame) {
         return static_cast<std::int64_t>(std::floor(static_cast<double>(frame.value) * step + 0.5));
     };

@@ -90,6 +90,8 @@ std::vector<Vec3f> loadFrames(const MeshSequence& sequence, const Progress& prog
 /// textures, labels and contacts follow the nearest frame. Same rate: the sequence itself. \throws Error
 /// BadArgument when fps is not positive and finite.
 MeshSequence resampled(const MeshSequence& sequence, double fps);
+/// How many frames come of so many at another rate. \param from, to  frames a second, positive.
+std::int64_t resampledFrames(std::int64_t frames, double from, double to);
 
 /// The sequence with every position multiplied by a matrix.
 MeshSequence transformed(const MeshSequence& sequence, const Eigen::Matrix3f& matrix);

@@ -3,6 +3,7 @@
 // Decisions about the transitions of a clip, by mouse and keys.
 #include "animatedproject.h"
 #include "editor/commands/animationedits.h"
+#include "editor/commands/projectedits.h"
 #include "editor/workspaces/animate/animateworkspace.h"
 #include "editor/workspaces/animate/junctions.h"
 #include "editor/workspaces/animate/transitionpreview.h"
@@ -105,6 +106,20 @@ private slots:
         QVERIFY(!player.isPlaying());
     }
 
+    void theSelectedTransitionStaysWhereATakeIsRenamed()
+    {
+        QTreeWidget& all = list("junctionList");
+        const int last = all.topLevelItemCount() - 1;
+        all.setCurrentItem(all.topLevelItem(last));
+        const AnimationResult* before = &result();
+        const QString take = QString::fromStdString(context().document.project().sequences.front().name);
+        QVERIFY(renameEntry(context().document, {Section::Sequences, take}, "renamed"));
+        QTRY_VERIFY(context().animations.result("dance") && &result() != before);
+        QVERIFY(waitForResult());
+        QTRY_COMPARE(all.topLevelItemCount(), last + 1);
+        QCOMPARE(all.indexOfTopLevelItem(all.currentItem()), last);
+    }
+
     void aBannedTransitionGivesWayToAnother()
     {
         const JunctionEntry banned = junction(0);
@@ -186,6 +201,21 @@ private slots:
         key(Qt::Key_Period);
         key(Qt::Key_E, Qt::ShiftModifier);
         auto& scene = m_window->animate().scene();
+        QTest::keyClick(&list("alternativeList"), Qt::Key_Down);
+        QTRY_COMPARE(scene.shown(), QStringList{TransitionPreview::name()});
+        // It is shown where it would be in the clip.
+        auto& animate = m_window->animate();
+        QTRY_VERIFY(scene.frameCount() > 0);
+        const ClipFrames shown = *junctionsOf(result()).front().shown;
+        animate.player().pause();
+        animate.player().goTo(0);
+        const int begin = animate.view().timeline().currentFrame();
+        QVERIFY2(begin <= shown.first && begin + scene.frameCount() > shown.first,
+                 qPrintable(QString::number(begin)));
+        QTest::keyClick(&list("alternativeList"), Qt::Key_Escape);
+        QTRY_COMPARE(scene.shown(), QStringList{"dance"});
+        QCOMPARE(animate.view().timeline().currentFrame(), static_cast<int>(animate.player().frame().value));
+        key(Qt::Key_E, Qt::ShiftModifier);
         QTest::keyClick(&list("alternativeList"), Qt::Key_Down);
         QTRY_COMPARE(scene.shown(), QStringList{TransitionPreview::name()});
         test::find<QDockWidget>("reportDock")->raise();

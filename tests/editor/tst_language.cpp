@@ -92,6 +92,10 @@ void LanguageTest::errorsAreTranslatedWithTheirValues()
     QVERIFY(french.sentence.contains("12") && french.sentence.contains("8431"));
     QVERIFY(french.sentence != QString("12 vertices where 8431 are expected."));
     QVERIFY(!french.remedy.contains("sequence need"));
+    // So are those that count something.
+    const Error cut(ErrorCode::FileTruncated,
+                    {.values = {{"expected", "at least 68 bytes"}, {"found", "7"}}});
+    QVERIFY2(describe(cut).sentence.contains("au moins 68 octets"), qPrintable(describe(cut).sentence));
 }
 
 void LanguageTest::placeNamesFileAndLine()

@@ -13,9 +13,11 @@
 #include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTimer>
 #include <QTreeWidget>
 
@@ -117,6 +119,9 @@ private slots:
         QTRY_VERIFY(test::exportDialog() != nullptr);
         QCOMPARE(test::find<QComboBox>("exportClip")->currentData().toString(),
                  QString::fromStdString("live/" + entry.name));
+        // Its frames are known before it is computed.
+        QCOMPARE(test::find<QSpinBox>("exportLast")->value(),
+                 static_cast<int>((entry.ticks - entry.from) / entry.ticksPerFrame));
         QTest::keyClick(test::exportDialog(), Qt::Key_Escape);
         QTRY_VERIFY(test::exportDialog() == nullptr);
         document().undo();
@@ -268,6 +273,42 @@ private slots:
         QVERIFY(first == bytes(true));
         QVERIFY(first.ends_with(
             std::string_view(reinterpret_cast<const char*>(seen.data()), seen.size() * sizeof(float))));
+    }
+
+    void renamedSpacesPlayOn()
+    {
+        open();
+        play(40);
+        const std::int64_t ticks = session().tickCount();
+        const OpenedLiveGraphPointer before = session().graph();
+        QVERIFY(renameEntry(document(), {Section::MotionSpaces, "walk"}, "stride"));
+        QTRY_VERIFY(session().graph() != before);
+        QCOMPARE(session().graph()->spaces.front(), std::string("stride"));
+        QCOMPARE(session().tickCount(), ticks);
+        play(1);
+        QCOMPARE(session().tickCount(), ticks + 1);
+        // A recording names the space as it is called now.
+        session().startRecording();
+        session().pause();
+        play(2);
+        QCOMPARE(session().stopRecording()->spaces.front(), std::string("stride"));
+    }
+
+    void whatFailsIsMendedInTheProperties()
+    {
+        open();
+        Project project = document().project();
+        project.motionSpaces.front().takes[1].range = FrameRange{FrameIndex(0), FrameIndex(1)};
+        document().push(std::make_unique<ChangeProject>(document(), "edit", project));
+        auto& message = workspace().view().message();
+        QTRY_VERIFY(message.isVisible() && message.kind() == widgets::MessageStrip::Kind::Error);
+        auto* properties = test::find<QDockWidget>("propertiesDock");
+        QVERIFY(!properties->isVisible());
+        emit message.actionTriggered();
+        QVERIFY(properties->isVisible());
+        QCOMPARE(context().selection.current(), (EntryRef{Section::MotionSpaces, "walk"}));
+        document().undo();
+        QTRY_VERIFY(session().isReady());
     }
 
     void projectsWithoutSpacesAreExplained()

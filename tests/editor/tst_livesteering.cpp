@@ -52,6 +52,16 @@ private slots:
         QCOMPARE(session().steering().values()[0], reached);
     }
 
+    void keysAreToldByWhatTheySteer()
+    {
+        open();
+        const auto* keys = test::find<QLabel>("liveKeys");
+        QVERIFY2(keys->text().contains("W S") && keys->text().contains("speed"), qPrintable(keys->text()));
+        QVERIFY(!keys->text().contains("A D"));
+        session().want(1);
+        QVERIFY2(keys->text().contains("Nothing steers"), qPrintable(keys->text()));
+    }
+
     void slidersHoldAValue()
     {
         open();

@@ -59,6 +59,25 @@ private:
     }
 
 private slots:
+    void panelsLeaveTheMenusTheirLetters()
+    {
+        openTake();
+        for (const char* language : {"fr", "en"}) {
+            m_window->context().languages.setLanguage(QLatin1String(language));
+            QSet<QKeySequence> letters;
+            for (const QAction* entry : m_window->menuBar()->actions())
+                letters += QKeySequence::mnemonic(entry->text());
+            QVERIFY(letters.size() > 6);
+            QStringList taken;
+            for (const auto* button : m_window->findChildren<QAbstractButton*>()) {
+                const QKeySequence letter = QKeySequence::mnemonic(button->text());
+                if (!letter.isEmpty() && button->window() == m_window.get() && letters.contains(letter))
+                    taken += button->objectName() + QLatin1String(": ") + button->text();
+            }
+            QVERIFY2(taken.isEmpty(), qPrintable(taken.join(QLatin1String("; "))));
+        }
+    }
+
     void menusHaveOneCaseAndAreShort()
     {
         openTake();

@@ -137,10 +137,12 @@ private slots:
         find<QToolButton>("motionSpaceRemoveTake")->click();
         QCOMPARE(entry().takes.size(), std::size_t{2});
         find<QToolButton>("motionSpaceAddParameter")->click();
-        QCOMPARE(entry().parameters.back().name, std::string("parameter"));
+        QCOMPARE(entry().parameters.back().name, std::string("turning"));
+        QCOMPARE(entry().parameters.back().measure, SpaceMeasure::Turning);
         find<PartList>("motionSpaceParameters")->setCurrentRow(1);
         find<QComboBox>("motionSpaceMeasure")->setCurrentIndex(static_cast<int>(SpaceMeasure::Height));
         QCOMPARE(entry().parameters[1].measure, SpaceMeasure::Height);
+        QCOMPARE(entry().parameters[1].name, std::string("height"));
         find<QDoubleSpinBox>("motionSpaceVertex")->setValue(50);
         QCOMPARE(entry().parameters[1].vertex, std::optional<std::int64_t>(50));
         find<QToolButton>("motionSpaceRemoveParameter")->click();

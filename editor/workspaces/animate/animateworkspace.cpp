@@ -173,6 +173,7 @@ void AnimateWorkspace::followPreview()
 {
     const bool isPreviewing = m_junctions->preview().clip() != nullptr;
     scene().update(TransitionPreview::name());
+    m_view->setTimelineOffset(isPreviewing ? m_junctions->previewStart() : 0);
     followAnimations();
     if (!isPreviewing) {
         player().pause();
@@ -219,7 +220,7 @@ void AnimateWorkspace::showState()
         message.setAction(tr("Try again"));
     } else if (m_junctions->preview().clip() != nullptr) {
         message.show(widgets::MessageStrip::Kind::Info, tr("This is what another transition would be like."),
-                     tr("Return takes it; Shift+E goes back to the clip."));
+                     tr("Return takes it; Escape goes back to the clip."));
         message.setAction({});
     } else if (const QString problem = m_comparison->problem(); !problem.isEmpty()) {
         message.show(widgets::MessageStrip::Kind::Warning, problem, m_comparison->remedy());

@@ -12,6 +12,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QShortcut>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -129,6 +130,12 @@ void JunctionPanel::makeWalkActions()
 
 void JunctionPanel::arrangeWidgets()
 {
+    for (QWidget* place : {static_cast<QWidget*>(this), static_cast<QWidget*>(&m_animation.view())}) {
+        auto* escape = new QShortcut(
+            Qt::Key_Escape, place, this, [this] { setChoosing(false); }, Qt::WidgetWithChildrenShortcut);
+        escape->setEnabled(false);
+        m_escapes.push_back(escape);
+    }
     m_message->setObjectName(QStringLiteral("junctionMessage"));
     m_details->setObjectName(QStringLiteral("junctionDetails"));
     m_empty->setObjectName(QStringLiteral("junctionEmpty"));
@@ -229,10 +236,20 @@ void JunctionPanel::playAround(int junction)
     player.play();
 }
 
+int JunctionPanel::previewStart() const
+{
+    const ClipJunction* junction = currentJunction();
+    if (junction == nullptr || !junction->shown || m_preview->clip() == nullptr)
+        return 0;
+    return std::max(0, static_cast<int>(junction->shown->first) - m_preview->lead());
+}
+
 void JunctionPanel::setChoosing(bool choosing)
 {
     if (std::exchange(m_isChoosing, choosing) == choosing)
         return;
+    for (QShortcut* escape : m_escapes)
+        escape->setEnabled(choosing);
     m_animation.context().actions.action("junction.choose")->setChecked(choosing);
     refreshAlternatives();
     if (choosing && !m_alternatives.empty())

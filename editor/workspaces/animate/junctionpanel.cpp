@@ -115,8 +115,10 @@ void JunctionPanel::makeLists()
     addRightMenu(*m_decisionsList, {m_animation.context().actions.action("junction.forget")});
     m_alternativesList->setMouseTracking(true);
     connect(m_list, &QTreeWidget::currentItemChanged, this, [this] {
-        if (!m_isRefreshing)
+        if (!m_isRefreshing) {
+            keepCurrent();
             goTo(current());
+        }
         showDetails();
         refreshAlternatives();
         updateActions();
@@ -156,14 +158,12 @@ void JunctionPanel::refresh()
 
 void JunctionPanel::refreshJunctions()
 {
-    // The transition that was selected stays so while it is in the walk, else the one at its place.
-    const int before = current();
-    const auto selected =
-        before < 0 ? std::nullopt : std::optional(m_junctions[static_cast<std::size_t>(before)].transition);
+    // The transition that was selected stays so while it is in the walk, else the one at its place; so where
+    // there is no walk for a while.
     const QScopedValueRollback refreshing(m_isRefreshing, true);
     m_junctions = m_result == nullptr ? std::vector<ClipJunction>() : junctionsOf(*m_result);
     m_list->clear();
-    int place = std::min(before, static_cast<int>(m_junctions.size()) - 1);
+    int place = m_kept ? std::min(m_kept->place, static_cast<int>(m_junctions.size()) - 1) : -1;
     const double fps = m_animation.context().document.project().settings.fps;
     for (std::size_t i = 0; i < m_junctions.size(); ++i) {
         const ClipJunction& junction = m_junctions[i];
@@ -173,12 +173,19 @@ void JunctionPanel::refreshJunctions()
         item->setText(1, nameOf(junction.transition.names));
         item->setToolTip(1, item->text(1));
         setCost(*item, 2, junction.transition);
-        if (selected && selected->frames == junction.transition.frames)
+        if (m_kept && m_kept->frames == junction.transition.frames)
             place = static_cast<int>(i);
     }
     select(place);
     showDetails();
     refreshAlternatives();
+}
+
+void JunctionPanel::keepCurrent()
+{
+    const ClipJunction* junction = currentJunction();
+    m_kept = junction == nullptr ? std::nullopt
+                                 : std::optional(KeptJunction{junction->transition.frames, current()});
 }
 
 void JunctionPanel::refreshDecisions()
@@ -234,8 +241,10 @@ void JunctionPanel::refreshAlternatives()
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         setCost(*item, 2, alternative);
     }
+    m_alternativesTitle->setText(m_alternatives.empty() ? tr("No other transition is nearby.")
+                                                        : tr("Instead of it"));
     m_alternativesTitle->setVisible(m_isChoosing);
-    m_alternativesList->setVisible(m_isChoosing);
+    m_alternativesList->setVisible(!m_alternatives.empty());
     if (m_alternatives.empty())
         m_preview->end();
 }
@@ -348,7 +357,6 @@ void JunctionPanel::retranslate()
 {
     m_list->setHeaderLabels({tr("At"), tr("Transition"), tr("Cost")});
     m_list->setAccessibleName(tr("Transitions of the clip"));
-    m_alternativesTitle->setText(tr("Instead of it"));
     m_alternativesList->setHeaderLabels({tr("Transition"), tr("Frames"), tr("Cost")});
     m_alternativesList->setAccessibleName(tr("Transitions nearby"));
     m_alternativesList->setToolTip(tr("Point at one to see it; double-click or Return takes it"));

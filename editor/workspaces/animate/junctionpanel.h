@@ -8,6 +8,7 @@
 #include <QWidget>
 
 class QLabel;
+class QShortcut;
 class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -36,6 +37,8 @@ public:
     TransitionPreview& preview() { return *m_preview; }
     /// Selects a transition of the walk by its number. \param junction  from 0.
     void select(int junction);
+    /// Where the preview begins in the clip, frames; 0 where nothing tells.
+    int previewStart() const;
 
 signals:
     /// −1 when none is selected any more.
@@ -45,6 +48,12 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    struct KeptJunction
+    {
+        FramePair frames;
+        int place = 0; ///< in the walk
+    };
+
     void followVisibility(bool visible);
     void makeActions();
     void makeDecidingActions();
@@ -55,6 +64,7 @@ private:
 
     void refresh();
     void refreshJunctions();
+    void keepCurrent();
     void refreshDecisions();
     void refreshAlternatives();
     void updateActions();
@@ -86,10 +96,12 @@ private:
     JunctionInspector* m_inspector;
     std::shared_ptr<const AnimationResult> m_result; ///< that the lists are of
     std::vector<ClipJunction> m_junctions;
+    std::optional<KeptJunction> m_kept; ///< that the user selected
     std::vector<PricedJunction> m_alternatives;
     std::vector<JunctionEntry> m_decisions;
     QTimer m_delay; ///< before what is hovered is blended
     const QTreeWidgetItem* m_hovered = nullptr;
+    std::vector<QShortcut*> m_escapes; ///< which end choosing, of the panel and the view
     bool m_isChoosing = false;
     bool m_isRefreshing = false;
     bool m_playsAround = false;

@@ -101,7 +101,7 @@ void PostPanel::addLoop()
     };
     m_form->addHeading([] { return tr("Loop"); });
     m_loop = m_fields.addSwitch(
-        {"postLoop", [] { return tr("&Close to a seamless loop"); },
+        {"postLoop", [] { return tr("Close to a seamless loop"); },
          [] { return tr("Cuts both ends where they fit best and blends one into the other"); }},
         loop);
     m_fields.addNumber({"postCutStart", [] { return tr("Cut at the start"); },
@@ -112,7 +112,7 @@ void PostPanel::addLoop()
                         [] { return tr("How far from the last frame the loop may end"); }, hasLoop},
                        of(&LoopSettings::cutEnd), cut);
     m_fields.addSwitch(
-        {"postInPlace", [] { return tr("Stay in &place"); },
+        {"postInPlace", [] { return tr("Stay in place"); },
          [] { return tr("Takes the way over the ground out, so that each round begins where it began"); },
          hasLoop},
         of(&LoopSettings::inPlace));
@@ -164,7 +164,7 @@ void PostPanel::addRetime()
             [](AnimationEntry& entry, double value) { entry.post.steps.retime->time = Seconds{value}; }},
         {.unit = secondsText, .lowest = 0.01, .highest = 3600});
     addCurve();
-    m_fields.addSwitch({"postRootSpeed", [] { return tr("Keep the speed over the &ground"); },
+    m_fields.addSwitch({"postRootSpeed", [] { return tr("Keep the speed over the ground"); },
                         [] {
                             return tr(
                                 "The figure goes as fast as in the clip, and its feet slide; otherwise its "
@@ -246,7 +246,7 @@ void PostPanel::addContacts()
             lensInside<AnimationEntry>(step(&Steps::contacts), member), look);
     };
     m_form->addHeading([] { return tr("Feet"); });
-    m_contacts = m_fields.addSwitch({"postContacts", [] { return tr("Keep standing &feet still"); },
+    m_contacts = m_fields.addSwitch({"postContacts", [] { return tr("Keep standing feet still"); },
                                      [] { return tr("Takes slip from feet while they touch the ground"); }},
                                     presenceOf(&Steps::contacts));
     addPart(
@@ -300,7 +300,7 @@ void PostPanel::addMirror()
 {
     m_form->addHeading([] { return tr("Mirror"); });
     m_mirror =
-        m_fields.addSwitch({"postMirror", [] { return tr("Exchange left and &right"); },
+        m_fields.addSwitch({"postMirror", [] { return tr("Exchange left and right"); },
                             [] { return tr("Needs the symmetry of the mesh: found, or read from a file"); }},
                            step(&Steps::mirror));
     addSymmetry();

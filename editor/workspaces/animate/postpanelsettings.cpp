@@ -110,7 +110,7 @@ void PostPanel::addSearch()
                                    return tr("usual (%L1)", "a weight").arg(usual("search.mu"));
                                }});
     m_fields.addSwitch(
-        {"searchGlobal", [] { return tr("&All keys at once"); },
+        {"searchGlobal", [] { return tr("All keys at once"); },
          [] { return tr("Seeks the best walk over all keys; otherwise from key to key, as published"); }},
         of(&SearchEntry::globalKeys));
 }

@@ -83,7 +83,7 @@ private:
             add(Texts::tr("Cost of deviation"), solution().cost.deviation, squareMetres());
         add(Texts::tr("Total cost"), solution().totalCost, unit);
         if (solution().bound > 0)
-            add(Texts::tr("No walk of the graph costs less than"), solution().bound, unit);
+            add(Texts::tr("Lower bound of the cost"), solution().bound, unit);
         add(Texts::tr("States looked at"), static_cast<double>(solution().expansions));
         const QString best = solution().optimal
                                  ? solution().eachLeg ? Texts::tr("from key to key") : Texts::tr("yes")

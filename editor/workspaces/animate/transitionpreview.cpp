@@ -15,8 +15,11 @@ namespace {
 
 constexpr double previewSeconds = 0.6; ///< that is shown before and behind a transition
 
-MeshSequence blend(const OpenedCharacter& character, const FramePair& transition, const AnimationEntry& entry,
-                   const Progress& progress)
+} // namespace
+
+TransitionPreview::Blended TransitionPreview::blend(const OpenedCharacter& character,
+                                                    const FramePair& transition, const AnimationEntry& entry,
+                                                    const Progress& progress)
 {
     const FrameLayout& layout = character.graph.layout();
     const double fps = character.frames.sequences().front().fps;
@@ -27,10 +30,9 @@ MeshSequence blend(const OpenedCharacter& character, const FramePair& transition
         std::min(transition.destination + around, layout.lastOf(layout.sequenceOf(transition.destination)));
     const Walk walk{{{first, transition.source}, {transition.destination, last}}};
     const ClipPlan plan = animationPlan(entry, character.graph, {.walk = walk}, {});
-    return toSequence({}, makeClip(character.frames, plan, entry.interpolation, progress), character.frames);
+    return {toSequence({}, makeClip(character.frames, plan, entry.interpolation, progress), character.frames),
+            static_cast<int>(transition.source - first)};
 }
-
-} // namespace
 
 TransitionPreview::TransitionPreview(JobRunner& jobs, QObject* parent) : QObject(parent), m_jobs(jobs) {}
 
@@ -53,7 +55,7 @@ void TransitionPreview::show(const std::shared_ptr<const OpenedCharacter>& chara
         [character, transition, entry](const Progress& progress) {
             return blend(*character, transition, entry, progress);
         },
-        [this](MeshSequence clip) {
+        [this](Blended clip) {
             m_clip = std::move(clip);
             emit changed();
         });

@@ -33,13 +33,22 @@ public:
     /// What a scene calls it; no animation has this name.
     static QString name() { return QStringLiteral("/preview"); }
     /// Null while there is none.
-    const MeshSequence* clip() const { return m_clip ? &*m_clip : nullptr; }
+    const MeshSequence* clip() const { return m_clip ? &m_clip->sequence : nullptr; }
+    /// Frames of the clip before the transition. \pre There is one.
+    int lead() const { return m_clip->lead; }
 
 signals:
     /// There is another clip, or none any more.
     void changed();
 
 private:
+    struct Blended
+    {
+        MeshSequence sequence;
+        int lead = 0;
+    };
+    static Blended blend(const OpenedCharacter& character, const FramePair& transition,
+                         const AnimationEntry& entry, const Progress& progress);
     struct Asked
     {
         std::shared_ptr<const OpenedCharacter> character;
@@ -52,7 +61,7 @@ private:
     JobRunner& m_jobs;
     QPointer<Job> m_job;
     std::optional<Asked> m_asked; ///< what was asked for last; nothing where it failed
-    std::optional<MeshSequence> m_clip;
+    std::optional<Blended> m_clip;
 };
 
 } // namespace quadrille

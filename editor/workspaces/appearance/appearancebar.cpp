@@ -213,14 +213,20 @@ QString AppearanceBar::stateText() const
                    : tr("%1 %n minute(s) left", nullptr, static_cast<int>(std::ceil(left->value / minute)))
                          .arg(what);
     }
-    case ResultPhase::Ready:
-        return tr("Ready: %n texture(s) learned", nullptr,
-                  static_cast<int>(state->opened->decoder->model().frames.size()));
+    case ResultPhase::Ready: {
+        const AppearanceModel& model = state->opened->decoder->model();
+        const QString learned =
+            tr("Ready: %n texture(s) learned", nullptr, static_cast<int>(model.frames.size()));
+        const auto count = static_cast<int>(model.textures.count + model.warps.count);
+        return count < m_appearance.entry()->components
+                   ? tr("%1; they have no more than %n component(s)", nullptr, count).arg(learned)
+                   : learned;
+    }
     case ResultPhase::Failed:
         return state->error ? tr("Failed: %1").arg(describe(*state->error).oneLine())
                             : tr("It did not work.");
     default:
-        return state->hasModel() ? tr("Out of date: the model is of other settings or textures")
+        return state->hasModel() ? tr("Out of date: of other settings or textures. Build it again.")
                                  : tr("Not built yet");
     }
 }

@@ -40,10 +40,8 @@ bool LiveSession::plays(const OpenedLiveGraphPointer& graph) const
 {
     if (graph == nullptr || m_graph == nullptr)
         return false;
-    const LiveGraph& a = *graph->graph;
-    const LiveGraph& b = *m_graph->graph;
-    return graph->spaces == m_graph->spaces && a.spaces == b.spaces && a.tables == b.tables &&
-           a.fps == b.fps && graph->metresPerUnit == m_graph->metresPerUnit;
+    return graph->content == m_graph->content && graph->graph->fps == m_graph->graph->fps &&
+           graph->metresPerUnit == m_graph->metresPerUnit;
 }
 
 bool LiveSession::setGraph(OpenedLiveGraphPointer graph)
@@ -51,7 +49,9 @@ bool LiveSession::setGraph(OpenedLiveGraphPointer graph)
     if (graph == m_graph)
         return true;
     if (plays(graph)) {
-        m_graph = std::move(graph);
+        m_graph = std::move(graph); // names may be others
+        emit decided();
+        emit changed();
         return true;
     }
     m_timer.stop();

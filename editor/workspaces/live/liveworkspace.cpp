@@ -16,6 +16,7 @@
 #include "editor/workspaces/live/rewindpanel.h"
 #include "editor/workspaces/live/steeringpanel.h"
 #include "model/project/document/findentry.h"
+#include "model/project/steps/motionspacesteps.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme.h"
@@ -23,6 +24,7 @@
 
 #include <QAction>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace quadrille {
 
@@ -30,6 +32,7 @@ namespace {
 
 /// The ruler need not follow each tick.
 constexpr int ticksBetweenRulers = 8;
+constexpr double leastRulerSeconds = 10; ///< shown at least: from the first ticks on time runs from the left
 
 } // namespace
 
@@ -159,7 +162,9 @@ void LiveWorkspace::connectView()
     connect(&scene(), &ClipScene::frameShown, this, &LiveWorkspace::showPose);
     connect(&viewport(), &widgets::Viewport::rendered, m_steering, &SteeringPanel::setPictureTime);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
-        if (m_help.isEmpty())
+        if (!m_failed.isEmpty())
+            editSpace(m_failed);
+        else if (m_help.isEmpty())
             m_context.liveGraphs.retry(character());
         else
             m_context.actions.action(m_help)->trigger();
@@ -307,7 +312,9 @@ void LiveWorkspace::showTimeline()
     if (!m_session->isRunning() || ticks < m_shownTicks || ticks >= m_shownTicks + ticksBetweenRulers) {
         m_shownTicks = ticks;
         timeline.setFps(1 / m_session->tickSeconds());
-        timeline.setFrameCount(ticks + 1);
+        const auto least = static_cast<int>(leastRulerSeconds / m_session->tickSeconds());
+        timeline.setFrameCount(std::max(ticks + 1, least));
+        timeline.setRange(std::pair(0, ticks));
         m_view->playback().setFps(1 / m_session->tickSeconds());
         m_view->playback().setFrameCount(ticks + 1);
         widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
@@ -325,6 +332,25 @@ void LiveWorkspace::showTimeline()
     m_view->setPlayhead(static_cast<int>(m_session->state().tick));
 }
 
+/// The motion space whose settings are to be mended; empty where trying again may help: a file that is not
+/// there may come.
+QString LiveWorkspace::failedSpace(const Error& error) const
+{
+    const auto& values = error.context().values;
+    const auto step = std::ranges::find(values, "step", &std::pair<std::string, std::string>::first);
+    if (step == values.end() || !error.context().file.empty())
+        return {};
+    const std::string space = motionSpaceOfStep(step->second);
+    return findMotionSpace(m_context.document.project(), space) == nullptr ? QString()
+                                                                           : QString::fromStdString(space);
+}
+
+void LiveWorkspace::editSpace(const QString& name)
+{
+    m_context.selection.select({Section::MotionSpaces, name});
+    m_context.actions.action(QStringLiteral("edit.properties"))->trigger();
+}
+
 /// Says what is missing or went wrong, and offers what helps.
 void LiveWorkspace::showState()
 {
@@ -333,6 +359,7 @@ void LiveWorkspace::showState()
     widgets::MessageStrip& message = m_view->message();
     const LiveGraphResults::State* state = m_context.liveGraphs.resultState(character());
     m_help.clear();
+    m_failed.clear();
     viewport().setNotice(
         project.sequences.empty() ? tr("Import takes of somebody first: walks, turns, jumps.") : QString());
     if (!project.sequences.empty() && project.motionSpaces.empty()) {
@@ -344,7 +371,8 @@ void LiveWorkspace::showState()
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);
         message.show(Kind::Error, text.placed(), text.remedy);
-        message.setAction(tr("Try again"));
+        m_failed = failedSpace(*state->error);
+        message.setAction(m_failed.isEmpty() ? tr("Try again") : tr("Edit the motion space"));
     } else {
         message.clear();
     }

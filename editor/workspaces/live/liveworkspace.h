@@ -54,6 +54,9 @@ private:
     void followSelection();
     void followRunning();
     void showState();
+    QString failedSpace(const Error& error) const;
+    /// Shows its properties.
+    void editSpace(const QString& name);
     void showPose();
     /// Its first take in the middle; null until it is drawn.
     QImage pictureOf(const QString& space);
@@ -79,6 +82,7 @@ private:
     QString m_loaded;    ///< the performance that is played again
     QPointer<Job> m_job; ///< whose progress is followed
     QString m_help;      ///< the action behind the message's button
+    QString m_failed;    ///< the motion space whose properties are behind it
     int m_shownTicks = 0;
     QTimer m_gamepadPolls; ///< while nothing is played
     bool m_isActive = false;

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -44,6 +45,8 @@ RewindPanel::RewindPanel(LiveSession& session, QWidget* parent)
     m_tree->setUniformRowHeights(true);
     m_tree->setFont(widgets::Theme::tabularFont(m_tree->font()));
     m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    // A click on the end of a long row would move its beginning out of sight.
+    m_tree->setAutoScroll(false);
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(8, 8, 8, 8);
     auto* column = new QVBoxLayout(this);
@@ -51,8 +54,13 @@ RewindPanel::RewindPanel(LiveSession& session, QWidget* parent)
     column->addWidget(m_hint);
     column->addWidget(m_tree, 1);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        if (item != nullptr)
-            m_session.goTo(item->data(WhenColumn, Qt::UserRole).toLongLong());
+        if (item == nullptr)
+            return;
+        QScrollBar& sideways = *m_tree->horizontalScrollBar();
+        const int left = sideways.value();
+        m_tree->scrollToItem(item);
+        sideways.setValue(left);
+        m_session.goTo(item->data(WhenColumn, Qt::UserRole).toLongLong());
     });
     connect(&m_session, &LiveSession::decided, this, &RewindPanel::refresh);
     retranslates(this, [this] { retranslate(); });
@@ -100,6 +108,8 @@ void RewindPanel::refresh()
         ++kept;
     while (m_tree->topLevelItemCount() > kept)
         delete m_tree->takeTopLevelItem(kept);
+    if (kept < static_cast<int>(decisions.size()))
+        m_tree->horizontalScrollBar()->setValue(0); // what is new shows from its beginning
     for (auto d = static_cast<std::size_t>(kept); d < decisions.size(); ++d) {
         const LiveDecision& decision = decisions[d];
         auto* item = new QTreeWidgetItem(m_tree);

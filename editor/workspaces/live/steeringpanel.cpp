@@ -50,6 +50,7 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, Space
     m_responsive->setObjectName(QStringLiteral("liveResponsive"));
     m_readout->setObjectName(QStringLiteral("liveReadout"));
     m_readout->setFont(widgets::Theme::tabularFont(m_readout->font()));
+    m_keys->setObjectName(QStringLiteral("liveKeys"));
     m_gamepadText->setObjectName(QStringLiteral("liveGamepad"));
     for (QLabel* label : {m_keys, m_readout, m_gamepadText})
         label->setWordWrap(true);
@@ -118,10 +119,9 @@ void SteeringPanel::makeRows()
 
 void SteeringPanel::retranslate()
 {
-    m_responsive->setText(tr("&Responsive"));
+    m_responsive->setText(tr("Responsive"));
     m_responsive->setToolTip(tr("Transitions come at once, where they may be seen more; R. Else they wait "
                                 "for poses that are alike."));
-    m_keys->setText(tr("Steer with W A S D or the arrows, 1 to 9 for spaces, J to jump, Space to pause."));
     m_graph->setEmptyText(tr("Motion spaces show here."));
     m_graph->setAccessibleName(tr("Motion spaces"));
     showGraph();
@@ -178,7 +178,35 @@ void SteeringPanel::showParameters()
         m_rows[p].name->setText(
             QString::fromStdString(m_session.graph()->graph->spaces[wanted]->parameters[p].name));
     }
+    m_keys->setText(keysText());
     showValues();
+}
+
+/// Keys and what they steer in the space that is wanted: others have no effect.
+QString SteeringPanel::keysText() const
+{
+    const QString others = tr("1 to 9: spaces · J: jump · Space: pause", "keys");
+    if (!m_session.isReady())
+        return others;
+    const auto keys = [](SteeringAxis axis) {
+        switch (axis) {
+        case SteeringAxis::Horizontal:
+            return tr("A D or ← →", "keys");
+        case SteeringAxis::Vertical:
+            return tr("W S or ↑ ↓", "keys");
+        default:
+            return tr("Page ↑ ↓", "keys");
+        }
+    };
+    const LiveSteering& steering = m_session.steering();
+    QStringList lines;
+    for (std::size_t p = 0; p < steering.parameters().size(); ++p)
+        //: keys, and the parameter that they steer
+        lines += tr("%1: %2").arg(keys(steering.axisOf(p)), m_rows[p].name->text());
+    if (lines.isEmpty())
+        lines += tr("Nothing steers this motion space: it is always the same.");
+    lines += others;
+    return widgets::breakable(lines.join(QLatin1Char('\n')));
 }
 
 void SteeringPanel::showValues()

@@ -54,6 +54,7 @@ private:
     void retranslate();
     void showGraph();
     void showParameters();
+    QString keysText() const;
     void showValues();
     void showReadout();
 

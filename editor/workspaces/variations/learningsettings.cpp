@@ -81,7 +81,7 @@ void LearningSettings::addDrawing()
                        "all frames");
          }},
         &VariationEntry::draw, {[] { return tr("Most probable"); }, [] { return tr("One draw"); }});
-    m_fields.addSwitch({"drawContacts", [] { return tr("Keep standing &feet still"); },
+    m_fields.addSwitch({"drawContacts", [] { return tr("Keep standing feet still"); },
                         [] {
                             return tr(
                                 "Takes slip from feet that touch the ground in the take, before variations "

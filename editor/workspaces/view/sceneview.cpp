@@ -104,7 +104,8 @@ void SceneView::addBeside(QWidget* widget)
 void SceneView::connectPlayback()
 {
     using widgets::PlaybackBar;
-    connect(m_timeline, &widgets::Timeline::frameScrubbed, m_player, &Player::goTo);
+    connect(m_timeline, &widgets::Timeline::frameScrubbed, m_player,
+            [this](int frame) { m_player->goTo(frame - m_timelineOffset); });
     connect(m_bar, &PlaybackBar::playToggled, m_player, &Player::toggle);
     connect(m_bar, &PlaybackBar::stepRequested, m_player, &Player::step);
     connect(m_bar, &PlaybackBar::firstRequested, m_player, &Player::goToStart);
@@ -243,13 +244,15 @@ void SceneView::updateRange()
         return;
     }
     const auto [first, last] = m_timeline->playedRange();
-    m_player->setRange(FrameIndex(std::min<std::int64_t>(first, frames - 1)),
-                       FrameIndex(std::min<std::int64_t>(last, frames - 1)));
+    const auto played = [&](int frame) {
+        return FrameIndex(std::clamp<std::int64_t>(frame - m_timelineOffset, 0, frames - 1));
+    };
+    m_player->setRange(played(first), played(last));
     if (m_player->frame().value >= frames)
         m_player->goToStart();
     // What had no frames for a while is at the first one; the player tells where it is. Behind the clip,
     // where keys can be put, there is no picture, and the playhead stays.
-    if (m_timeline->currentFrame() < frames)
+    if (m_timeline->currentFrame() - m_timelineOffset < frames)
         showPlayhead();
     if (std::exchange(m_playsWhenReady, false))
         m_player->play();
@@ -258,7 +261,7 @@ void SceneView::updateRange()
 void SceneView::showPlayhead()
 {
     const auto frame = static_cast<int>(m_player->frame().value);
-    m_timeline->setCurrentFrame(frame);
+    m_timeline->setCurrentFrame(frame + m_timelineOffset);
     m_bar->setCurrentFrame(frame);
 }
 

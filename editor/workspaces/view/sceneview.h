@@ -65,6 +65,8 @@ public:
     void setRulerUnit(widgets::Timeline::Unit unit);
     /// Puts the playhead, and the number beside the buttons, where no clip needs to be.
     void setPlayhead(int frame);
+    /// Where on the timeline the first frame is of what is shown in place of its clip; 0 for the clip itself.
+    void setTimelineOffset(int frames) { m_timelineOffset = frames; }
     /// What is written about the frames that are shown; null where nothing can be.
     void setNotes(FrameNotes* notes) { m_notes = notes; }
     FrameNotes* notes() const { return m_notes; }
@@ -114,6 +116,7 @@ private:
     QVBoxLayout* m_lower = nullptr;
     QSplitter* m_beside = nullptr;
     QString m_current;
+    int m_timelineOffset = 0; ///< frames
     bool m_namesShown = true;
     bool m_follows = false;
     bool m_ghostsShown = false;

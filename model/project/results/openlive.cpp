@@ -89,7 +89,10 @@ OpenedLiveGraphPointer openLiveGraph(const ProjectResults& results, const std::s
     if (opened->spaces.empty())
         throwInvalid("There is no motion space to play", QUADRILLE_MESSAGE("Make one of some takes."));
     opened->metresPerUnit = results.project().settings.axes.metresPerUnit;
-    const FreshResults fresh = results.get(liveGraphSteps(opened->spaces), progress.part(0, 0.9));
+    const std::vector<std::string> steps = liveGraphSteps(opened->spaces);
+    const FreshResults fresh = results.get(steps, progress.part(0, 0.9));
+    for (const std::string& step : steps)
+        opened->content += fresh.keyOf(step) + '\n';
     opened->graph = liveGraphFrom(results.opener(), opened->spaces, fresh.context(), progress.part(0.9, 1));
     opened->look = lookOfSpaces(*opened->graph, opened->spaces, *results.opener(), progress);
     progress.report(1);

@@ -18,6 +18,7 @@ struct OpenedLiveGraph
 {
     std::string character;
     std::vector<std::string> spaces; ///< names, as the graph counts them
+    std::string content; ///< key of what the graph is made of: the same plays the same, whatever it is called
     std::shared_ptr<const LiveGraph> graph;
     /// What the performer looks like: for each frame of each take of each space the texture of the captured
     /// frame. All have the shape of one pose, in the project's unit.

@@ -67,8 +67,11 @@ FreshResults ProjectResults::get(const std::vector<std::string>& steps, const Pr
 {
     const RebuildReport report = bring(steps, progress, std::move(options));
     for (const StepReport& step : report.steps) {
-        if (step.error)
-            throw Error(*step.error);
+        if (!step.error)
+            continue;
+        ErrorContext context = step.error->context();
+        context.values.emplace_back("step", step.step);
+        throw Error(step.error->code(), std::move(context));
     }
     return freshOf(report);
 }

@@ -70,8 +70,8 @@ public:
                         RebuildOptions options = {}) const;
     /// The results of a report that are up to date.
     FreshResults freshOf(const RebuildReport& report) const { return {m_working, m_steps, report}; }
-    /// Results of some steps, brought up to date before. \throws Error of the step that failed, Cancelled; as
-    /// rebuild.
+    /// Results of some steps, brought up to date before. \throws Error of the step that failed, whose name is
+    /// among its values as "step"; Cancelled; as rebuild.
     FreshResults get(const std::vector<std::string>& steps, const Progress& progress = {},
                      RebuildOptions options = {}) const;
     /// Nothing where one of them is not up to date; computes nothing. \throws Error Cancelled, of inputs that

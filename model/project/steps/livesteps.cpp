@@ -62,12 +62,12 @@ BuildStep liveStep(const StepMaking& making, const LiveEntry& entry)
     const std::string clip = "live/" + entry.name;
     BuildStep step;
     step.name = clipStepOf(clip);
+    step.kind = "live clip";
     step.dataPrefix = clip;
     step.character = characterNameOf(making.opener->project(), entry);
     step.version = 4;
     LiveEntry nameless = entry;
     nameless.name.clear();
-    nameless.spaces.clear();
     step.settings = settingsText(nameless);
     step.inputs = liveGraphSteps(entry.spaces);
     step.files = [](const Progress&) { return std::vector<std::filesystem::path>(); };

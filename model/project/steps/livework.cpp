@@ -113,6 +113,11 @@ LiveStart startOf(const LiveEntry& entry, const CoordinateSystem& axes)
     return start;
 }
 
+std::int64_t performedFrames(const LiveEntry& entry)
+{
+    return (entry.ticks - entry.from) / entry.ticksPerFrame + 1;
+}
+
 std::vector<LiveInput> inputsOf(const LiveEntry& entry)
 {
     std::vector<LiveInput> inputs;
@@ -195,6 +200,7 @@ PerformedLive performLive(const std::shared_ptr<const LiveGraph>& graph, const L
     made.clip.topology = takes.frames().sequences().front().topology;
     made.clip.fps = project.settings.fps;
     const std::size_t vertices = graph->vertexCount();
+    made.clip.positions.reserve(static_cast<std::size_t>(performedFrames(entry)) * vertices);
     std::vector<FrameProvenance> looks;
     const auto take = [&](LivePlayer& played) {
         if (played.state().decisions != static_cast<std::int64_t>(made.decisions.size()))

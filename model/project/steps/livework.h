@@ -29,6 +29,8 @@ std::shared_ptr<const LiveGraph> liveGraphFrom(const std::shared_ptr<SequenceOpe
 LiveSettings settingsOf(const LiveEntry& entry);
 /// \param axes  those of the project.
 LiveStart startOf(const LiveEntry& entry, const CoordinateSystem& axes);
+/// Frames of its clip.
+std::int64_t performedFrames(const LiveEntry& entry);
 /// One for each tick.
 std::vector<LiveInput> inputsOf(const LiveEntry& entry);
 /// The other way round: only what changes. Ticks are those of the inputs.

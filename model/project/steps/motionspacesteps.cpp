@@ -10,6 +10,9 @@ namespace {
 
 using WorkPointer = std::shared_ptr<const MotionSpaceWork>;
 
+constexpr std::string_view stepsBegin = "motion_spaces/";
+constexpr std::string_view spaceEnd = "/space";
+
 std::string pairName(const std::string& source, const std::string& target)
 {
     return "transitions/" + source + "/" + target;
@@ -19,6 +22,7 @@ BuildStep spaceStep(const WorkPointer& work)
 {
     BuildStep step;
     step.name = motionSpaceStepOf(work->entry().name);
+    step.kind = "motion space";
     step.dataPrefix = "motion_spaces/" + work->entry().name;
     step.version = MotionSpaceWork::version;
     step.character = work->character();
@@ -35,6 +39,7 @@ BuildStep qualityStep(const WorkPointer& work)
 {
     BuildStep step;
     step.name = motionSpaceQualityStepOf(work->entry().name);
+    step.kind = "quality of a motion space";
     step.dataPrefix = "motion-spaces/" + work->entry().name;
     step.character = work->character();
     step.inputs = {motionSpaceStepOf(work->entry().name)};
@@ -48,6 +53,7 @@ BuildStep similarityStep(const WorkPointer& source, const WorkPointer& target)
 {
     BuildStep step;
     step.name = similarityStepOf(source->entry().name, target->entry().name);
+    step.kind = "similarity of motion spaces";
     step.dataPrefix = pairName(source->entry().name, target->entry().name);
     step.character = source->character();
     step.inputs = {motionSpaceStepOf(source->entry().name), motionSpaceStepOf(target->entry().name)};
@@ -65,6 +71,7 @@ BuildStep reportStep(const WorkPointer& source, const WorkPointer& target)
     const std::string& from = source->entry().name;
     const std::string& to = target->entry().name;
     step.name = transitionReportStepOf(from, to);
+    step.kind = "transitions of motion spaces";
     step.inputs.push_back(similarityStepOf(from, to));
     step.compute = [source, target](const StepContext& context, const Progress& progress) {
         return transitionReport(
@@ -78,7 +85,16 @@ BuildStep reportStep(const WorkPointer& source, const WorkPointer& target)
 
 std::string motionSpaceStepOf(const std::string& space)
 {
-    return "motion_spaces/" + space + "/space";
+    return std::string(stepsBegin).append(space).append(spaceEnd);
+}
+
+std::string motionSpaceOfStep(std::string_view step)
+{
+    if (!step.starts_with(stepsBegin) || !step.ends_with(spaceEnd))
+        return {};
+    step.remove_prefix(stepsBegin.size());
+    step.remove_suffix(spaceEnd.size());
+    return std::string(step);
 }
 
 std::string motionSpaceQualityStepOf(const std::string& space)

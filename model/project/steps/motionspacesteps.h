@@ -8,12 +8,15 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace quadrille {
 
 // The names of the steps of a motion space, and of a pair of them.
 
 std::string motionSpaceStepOf(const std::string& space);
+/// The motion space of such a step; empty for any other one.
+std::string motionSpaceOfStep(std::string_view step);
 std::string motionSpaceQualityStepOf(const std::string& space);
 std::string similarityStepOf(const std::string& source, const std::string& target);
 std::string transitionReportStepOf(const std::string& source, const std::string& target);

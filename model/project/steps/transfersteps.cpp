@@ -77,6 +77,7 @@ std::vector<BuildStep> makeTransferSteps(const StepMaking& making)
         const auto work = std::make_shared<const TransferWork>(making.opener, entry);
         BuildStep step;
         step.name = clipStepOf(work->clipName());
+        step.kind = "transferred clip";
         step.dataPrefix = work->clipName();
         step.version = TransferWork::version;
         step.character = work->character();

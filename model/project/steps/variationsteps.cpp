@@ -66,10 +66,12 @@ public:
     }
 
 private:
-    BuildStep step(std::string name, std::string prefix) const
+    /// \param kind  the same for all variations.
+    BuildStep step(std::string kind, std::string name, std::string prefix) const
     {
         BuildStep made;
         made.name = std::move(name);
+        made.kind = std::move(kind);
         made.dataPrefix = std::move(prefix);
         made.character = m_work->character();
         return made;
@@ -77,7 +79,7 @@ private:
 
     BuildStep alignment() const
     {
-        BuildStep made = step(alignmentStepOf(m_name), "variations/" + m_name);
+        BuildStep made = step("variation alignment", alignmentStepOf(m_name), "variations/" + m_name);
         made.version = 7;
         made.settings = m_work->movementSettings();
         made.files = [work = m_work](const Progress& progress) { return work->files(progress); };
@@ -93,8 +95,8 @@ private:
 
     BuildStep model(std::size_t part) const
     {
-        BuildStep made =
-            step(modelStepOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
+        BuildStep made = step("variation model of " + m_parts[part], modelStepOf(m_name, m_parts[part]),
+                              "variations/" + m_name + "/" + m_parts[part]);
         VariationEntry learned;
         learned.learning = m_work->entry().learning;
         made.version = 3;
@@ -125,8 +127,8 @@ private:
 
     BuildStep samples(std::size_t part) const
     {
-        BuildStep made =
-            step(samplesStepOf(m_name, m_parts[part]), "variations/" + m_name + "/" + m_parts[part]);
+        BuildStep made = step("variation samples of " + m_parts[part], samplesStepOf(m_name, m_parts[part]),
+                              "variations/" + m_name + "/" + m_parts[part]);
         const std::string model = modelStepOf(m_name, m_parts[part]);
         made.version = 6;
         made.settings = samplesSettings(m_work->entry());
@@ -153,7 +155,7 @@ private:
 
     BuildStep selection() const
     {
-        BuildStep made = step(selectionStepOf(m_name), "variations/" + m_name);
+        BuildStep made = step("variation selection", selectionStepOf(m_name), "variations/" + m_name);
         made.version = 7;
         made.settings = selectionSettings(m_work->entry());
         made.inputs = drawnSteps();
@@ -210,7 +212,7 @@ private:
     BuildStep clip(int number) const
     {
         const std::string name = variationClip(m_name, number);
-        BuildStep made = step(clipStepOf(name), name);
+        BuildStep made = step("variation clip", clipStepOf(name), name);
         made.version = 7;
         VariationEntry drawn;
         drawn.draw = m_work->entry().draw;

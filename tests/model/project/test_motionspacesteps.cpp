@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "model/parametric/hybridblend.h"
+#include "model/project/results/openlive.h"
 #include "model/project/results/openmotionspace.h"
 #include "model/project/steps/motionspaceresults.h"
 #include "model/project/steps/motionspacesteps.h"
@@ -122,6 +123,28 @@ TEST_F(MotionSpaceSteps, AreFreshUntilSomethingTheyNeedChanges)
     walk().tolerance = 0.02;
     EXPECT_THAT(computed(run("motion_spaces")),
                 ElementsAre("motion_spaces/walk/space", "motion_spaces/walk/quality"));
+}
+
+TEST_F(MotionSpaceSteps, AreKeptWhereTheSpaceIsRenamed)
+{
+    project.motionSpaces.push_back(spaceOf("steady", {"slow"}));
+    const auto session = std::make_shared<ResultSession>();
+    const auto open = [&] {
+        return openLiveGraph(ProjectResults({project, folder / "p.quadrille", session}), "");
+    };
+    const auto before = open();
+    const auto computed = session->computed();
+    EXPECT_FALSE(computed.empty());
+    walk().name = "stride";
+    const auto after = open();
+    EXPECT_EQ(session->computed(), computed);
+    EXPECT_EQ(after->content, before->content);
+    EXPECT_EQ(after->graph->spaces[0]->name, "stride");
+    EXPECT_EQ(after->graph->spaces[0]->takes[0].poses, before->graph->spaces[0]->takes[0].poses);
+    // Others find it, too.
+    EXPECT_THAT(this->computed(run("transitions/stride/steady/similarity")), IsEmpty());
+    walk().tolerance = 0.03;
+    EXPECT_NE(open()->content, before->content);
 }
 
 TEST_F(MotionSpaceSteps, TurnMirroredTakesTheOtherWay)
