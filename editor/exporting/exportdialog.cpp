@@ -7,7 +7,6 @@
 #include "editor/exporting/picturefields.h"
 #include "editor/fields/axesfields.h"
 #include "editor/fields/clipchoice.h"
-#include "editor/fields/namebox.h"
 #include "editor/fields/numberfield.h"
 #include "editor/fields/rangefield.h"
 #include "editor/language/retranslate.h"
@@ -89,7 +88,7 @@ void ExportDialog::makeControls()
     name(m_export, "exportAccept");
     name(m_cancel, "exportCancel");
     listClips(*m_clip, m_context.document.project(), m_plan.clips);
-    fitToNames(*m_clip);
+    m_clip->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_clip->setEnabled(m_plan.clips.size() == 1);
     m_choosePlace->setIcon(widgets::icons::icon(QStringLiteral("folder")));
     m_files->setWordWrap(true);

@@ -214,7 +214,8 @@ private slots:
                  qPrintable(QString::number(begin)));
         QTest::keyClick(&list("alternativeList"), Qt::Key_Escape);
         QTRY_COMPARE(scene.shown(), QStringList{"dance"});
-        QCOMPARE(animate.view().timeline().currentFrame(), static_cast<int>(animate.player().frame().value));
+        QCOMPARE(animate.player().frame().value, shown.first);
+        QCOMPARE(animate.view().timeline().currentFrame(), static_cast<int>(shown.first));
         key(Qt::Key_E, Qt::ShiftModifier);
         QTest::keyClick(&list("alternativeList"), Qt::Key_Down);
         QTRY_COMPARE(scene.shown(), QStringList{TransitionPreview::name()});

@@ -172,12 +172,16 @@ void AnimateWorkspace::frameOther()
 void AnimateWorkspace::followPreview()
 {
     const bool isPreviewing = m_junctions->preview().clip() != nullptr;
+    if (isPreviewing && !m_frameBefore)
+        m_frameBefore = player().frame();
     scene().update(TransitionPreview::name());
     m_view->setTimelineOffset(isPreviewing ? m_junctions->previewStart() : 0);
     followAnimations();
     if (!isPreviewing) {
         player().pause();
         player().setLooping(m_context.settings.loopsPlayback());
+        if (const auto before = std::exchange(m_frameBefore, std::nullopt))
+            player().goTo(before->value);
         return;
     }
     player().setLooping(true);

@@ -51,6 +51,7 @@ private:
     AnimationSound* m_sound;
     AnimationCamera* m_camera;
     std::vector<Panel> m_panels;
+    std::optional<FrameIndex> m_frameBefore; ///< of the clip that a preview is shown in place of
     bool m_isActive = false;
     QString m_framed; ///< the animation that the view was framed on last
 };
