@@ -4364,14 +4364,6 @@
         <translation>Sélectionnez une prise et choisissez un dossier de textures dans ses propriétés : une par image de la prise.</translation>
     </message>
     <message>
-        <source>Here the textures of a character are modelled: as Eigen textures, which are colours, and Eigen warps, which move them.</source>
-        <translation>Ici, les textures d’un personnage sont modélisées : par des textures propres, qui sont des couleurs, et des déformations propres, qui les déplacent.</translation>
-    </message>
-    <message>
-        <source>Frames between captured ones then get sharp textures, and what is missing of one is filled in.</source>
-        <translation>Les images entre celles qui furent captées ont alors des textures nettes, et ce qui manque à l’une est rempli.</translation>
-    </message>
-    <message>
         <source>New model</source>
         <translation>Nouveau modèle</translation>
     </message>
@@ -4390,6 +4382,14 @@
     <message>
         <source>Build</source>
         <translation>Construire</translation>
+    </message>
+    <message>
+        <source>A model of a character’s textures makes sharp ones between captured frames, and fills in what is missing.</source>
+        <translation>Un modèle des textures d’un personnage en fait de nettes entre les images captées, et complète ce qui manque.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be shown.</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être montré.</translation>
     </message>
 </context>
 <context>

@@ -168,7 +168,7 @@ void EvaluationPanel::showState(const EvaluationResults::State& shown)
     case ResultPhase::Failed:
         if (shown.error) {
             const ErrorText text = describe(*shown.error);
-            m_message->show(Kind::Error, text.sentence, text.remedy);
+            m_message->show(Kind::Error, text.placed(), text.remedy);
             m_message->setAction(tr("Try again"));
         }
         m_empty->setText(tr("This could not be computed."));

@@ -291,7 +291,7 @@ void EvaluationPanel::save(const QString& file)
         refresh();
     } catch (const Error& error) {
         const ErrorText text = describe(error);
-        m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_message->show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
     }
 }
 

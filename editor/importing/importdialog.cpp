@@ -331,7 +331,7 @@ void ImportDialog::import()
     disconnect(listening);
     if (refusal) {
         const ErrorText text = describe(*refusal);
-        m_strip->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_strip->show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
         return;
     }
     for (const PlannedTake* planned : m_plan.wanted()) {

@@ -14,7 +14,7 @@ namespace quadrille::widgets {
 /// What a timeline shows, as it was given. Ranges have both ends included.
 struct TimelineContent
 {
-    bool isEmpty = false; ///< there is no clip
+    bool isEmpty = true; ///< there is no clip
     double fps = 25.0;
     bool inSeconds = false; ///< how frames are called
     int current = 0;

@@ -220,7 +220,7 @@ void AnimateWorkspace::showState()
     widgets::MessageStrip& message = m_view->message();
     if (resultState != nullptr && resultState->error) {
         const ErrorText text = describe(*resultState->error);
-        message.show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        message.show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
         message.setAction(tr("Try again"));
     } else if (m_junctions->preview().clip() != nullptr) {
         message.show(widgets::MessageStrip::Kind::Info, tr("This is what another transition would be like."),

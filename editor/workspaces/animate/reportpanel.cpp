@@ -231,7 +231,7 @@ void ReportPanel::save(const QString& file, bool ofFrames)
         m_message->clear();
     } catch (const Error& error) {
         const ErrorText text = describe(error);
-        m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_message->show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
     }
 }
 

@@ -41,8 +41,10 @@ AppearanceWorkspace::AppearanceWorkspace(EditorContext& context, QWidget* parent
     connect(m_appearance, &CurrentAppearance::changed, this, &AppearanceWorkspace::follow);
     connect(m_appearance, &CurrentAppearance::resultChanged, this, &AppearanceWorkspace::showState);
     connect(m_shown, &ShownTexture::dressChanged, this, &AppearanceWorkspace::followTake);
-    connect(&context.media, &SequenceMedia::changed, this,
-            [this](const QString& name) { scene().update(name); });
+    connect(&context.media, &SequenceMedia::changed, this, [this](const QString& name) {
+        scene().update(name);
+        showState();
+    });
     connect(m_view, &SceneView::sceneChanged, this,
             [this] { m_view->timeline().setFrameCount(static_cast<int>(scene().frameCount())); });
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
@@ -137,9 +139,14 @@ void AppearanceWorkspace::showState()
 {
     using Kind = widgets::MessageStrip::Kind;
     const Project& project = m_context.document.project();
-    viewport().setNotice(project.sequences.empty()
-                             ? tr("Import sequences first: their textures are what is modelled.")
-                             : QString());
+    const QString& take = m_context.selection.shownSequence();
+    const auto* opening = m_context.media.resultState(take);
+    QString notice;
+    if (project.sequences.empty())
+        notice = tr("Import sequences first: their textures are what is modelled.");
+    else if (opening != nullptr && opening->phase == ResultPhase::Failed && scene().isEmpty())
+        notice = tr("“%1” cannot be shown.").arg(take);
+    viewport().setNotice(notice);
     widgets::MessageStrip& message = m_view->message();
     const AppearanceResults::State* state = m_appearance->resultState();
     m_help = nullptr;
@@ -158,10 +165,8 @@ void AppearanceWorkspace::showState()
         m_help = "appearance.new";
         message.show(
             Kind::Info,
-            tr("Here the textures of a character are modelled: as Eigen textures, which are colours, "
-               "and Eigen warps, which move them."),
-            tr("Frames between captured ones then get sharp textures, and what is missing of one is "
-               "filled in."));
+            tr("A model of a character’s textures makes sharp ones between captured frames, and fills in "
+               "what is missing."));
         message.setAction(tr("New model"));
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);

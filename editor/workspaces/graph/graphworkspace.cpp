@@ -199,7 +199,7 @@ void GraphWorkspace::connectParts()
     connect(m_preview, &PairPreview::clipChanged, this, &GraphWorkspace::showClip);
     connect(m_preview, &PairPreview::clipFailed, this, [this](const Error& error) {
         const ErrorText text = describe(error);
-        m_view->message().show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_view->message().show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
     });
     connect(m_message, &widgets::MessageStrip::actionTriggered, this, [this] {
         const auto* resultState = m_context.graphs.resultState(m_bar->character());
@@ -277,7 +277,7 @@ void GraphWorkspace::showState()
         m_message->clear();
     } else if (resultState->phase == ResultPhase::Failed && resultState->error) {
         const ErrorText text = describe(*resultState->error);
-        m_message->show(widgets::MessageStrip::Kind::Error, text.sentence, text.remedy);
+        m_message->show(widgets::MessageStrip::Kind::Error, text.placed(), text.remedy);
         m_message->setAction(tr("Try again"));
     } else if (resultState->phase == ResultPhase::Computing) {
         m_message->show(widgets::MessageStrip::Kind::Info,

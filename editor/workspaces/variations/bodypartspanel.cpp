@@ -271,7 +271,7 @@ void BodyPartsPanel::refreshProblem()
         return;
     }
     const ErrorText text = describe(problem->error);
-    m_problem->show(MessageStrip::Kind::Error, text.sentence, text.remedy);
+    m_problem->show(MessageStrip::Kind::Error, text.placed(), text.remedy);
 }
 
 /// A part from the curves that bound none.
