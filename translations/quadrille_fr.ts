@@ -4384,12 +4384,12 @@
         <translation>Construire</translation>
     </message>
     <message>
-        <source>A model of a character’s textures makes sharp ones between captured frames, and fills in what is missing.</source>
-        <translation>Un modèle des textures d’un personnage en fait de nettes entre les images captées, et complète ce qui manque.</translation>
-    </message>
-    <message>
         <source>“%1” cannot be shown.</source>
         <translation>«&#xa0;%1&#xa0;» ne peut pas être montré.</translation>
+    </message>
+    <message>
+        <source>Eigen textures and warps make sharp textures between captured frames, and fill in what is missing.</source>
+        <translation>Les textures et déformations propres donnent des textures nettes entre les images captées, et complètent ce qui manque.</translation>
     </message>
 </context>
 <context>
@@ -8875,6 +8875,14 @@
         <source>parameter</source>
         <translation>paramètre</translation>
     </message>
+    <message>
+        <source>Add the take “%1”</source>
+        <translation>Ajouter la prise «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Add takes</source>
+        <translation>Ajouter des prises</translation>
+    </message>
 </context>
 <context>
     <name>quadrille::MotionSpacePage</name>
@@ -9061,10 +9069,6 @@
     <message>
         <source>Change the character of “%1”</source>
         <translation>Changer le personnage de «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>Add the take “%1”</source>
-        <translation>Ajouter la prise «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Remove the take “%1”</source>
@@ -12719,6 +12723,29 @@ maximal %2</translation>
     </message>
 </context>
 <context>
+    <name>quadrille::SpaceGraph</name>
+    <message>
+        <source>Motion spaces show here. Drop the cards of some takes here to make one of them.</source>
+        <translation>Les espaces de mouvement se montrent ici. Déposez-y les cartes de quelques prises pour en faire un.</translation>
+    </message>
+    <message>
+        <source>Motion spaces</source>
+        <translation>Espaces de mouvement</translation>
+    </message>
+    <message>
+        <source>Transitions that were made</source>
+        <translation>Transitions faites</translation>
+    </message>
+    <message>
+        <source>motion space</source>
+        <translation>espace de mouvement</translation>
+    </message>
+    <message>
+        <source>Go to the last of them</source>
+        <translation>Aller à la dernière d’entre elles</translation>
+    </message>
+</context>
+<context>
     <name>quadrille::SpaceMap</name>
     <message>
         <source>%1 %2 %</source>
@@ -12854,14 +12881,6 @@ maximal %2</translation>
         <translation>Les transitions viennent aussitôt, où elles peuvent se voir davantage ; R. Sinon elles attendent des poses semblables.</translation>
     </message>
     <message>
-        <source>Motion spaces show here.</source>
-        <translation>Les espaces de mouvement apparaissent ici.</translation>
-    </message>
-    <message>
-        <source>Motion spaces</source>
-        <translation>Espaces de mouvement</translation>
-    </message>
-    <message>
         <source>Gamepad: %1</source>
         <translation>Manette : %1</translation>
     </message>
@@ -12880,10 +12899,6 @@ maximal %2</translation>
     <message>
         <source>Tick %1 ms, picture %2 ms</source>
         <translation>Pas %1 ms, image %2 ms</translation>
-    </message>
-    <message>
-        <source>Transitions that were made</source>
-        <translation>Transitions faites</translation>
     </message>
     <message>
         <source>1 to 9: spaces · J: jump · Space: pause</source>

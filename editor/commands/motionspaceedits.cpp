@@ -65,7 +65,28 @@ bool isNamedFor(const std::string& name, SpaceMeasure measure)
            (number.starts_with(' ') && number.find_first_not_of("0123456789", 1) == std::string_view::npos);
 }
 
+void takeIn(const Project& project, MotionSpaceEntry& entry, const QStringList& sequences)
+{
+    const QStringList own = sequencesFor(project, entry);
+    for (const QString& sequence : sequences) {
+        if (own.contains(sequence) && entry.takes.size() < WeightSpace::mostTakes)
+            entry.takes.emplace_back().sequence = sequence.toStdString();
+    }
+    if (entry.takes.size() > 1 && entry.parameters.empty())
+        addParameter(entry);
+}
+
 } // namespace
+
+void addTakes(ProjectDocument& document, const QString& name, const QStringList& sequences)
+{
+    MotionSpaceEntry after = *findMotionSpace(document.project(), name.toStdString());
+    takeIn(document.project(), after, sequences);
+    const QString text = sequences.size() == 1
+                             ? MotionSpaceTexts::tr("Add the take “%1”").arg(sequences.front())
+                             : MotionSpaceTexts::tr("Add takes");
+    setMotionSpace(document, name, text, QStringLiteral("takes"), std::move(after));
+}
 
 void addParameter(MotionSpaceEntry& entry)
 {
@@ -102,13 +123,7 @@ QString addMotionSpace(ProjectDocument& document, const QString& name, const QSt
         const CharacterEntry* of = first == nullptr ? nullptr : characterOf(project, *first);
         entry.character = of == nullptr ? project.characters.front().name : of->name;
     }
-    const QStringList own = sequencesFor(project, entry);
-    for (const QString& sequence : sequences) {
-        if (own.contains(sequence) && entry.takes.size() < WeightSpace::mostTakes)
-            entry.takes.emplace_back().sequence = sequence.toStdString();
-    }
-    if (entry.takes.size() > 1)
-        addParameter(entry);
+    takeIn(project, entry, sequences);
     return addEntry(document, MotionSpaceTexts::tr("Add motion space “%1”"), std::move(entry));
 }
 

@@ -14,6 +14,8 @@ namespace quadrille {
 /// A motion space of some sequences, steered by their speed; of those of the first one's character, and not
 /// of more than a space may have. \return the name that it got.
 QString addMotionSpace(ProjectDocument& document, const QString& name, const QStringList& sequences);
+/// Adds takes to a motion space: those of its character, as far as it may have more. \pre There is one.
+void addTakes(ProjectDocument& document, const QString& name, const QStringList& sequences);
 /// \return the copy's name.
 QString duplicateMotionSpace(ProjectDocument& document, const QString& name);
 /// Exchanges the values of a motion space; its name stays.

@@ -316,8 +316,7 @@ std::optional<std::size_t> MotionSpacePage::parameter() const
 
 void MotionSpacePage::addTake(const QString& sequence)
 {
-    edit(tr("Add the take “%1”").arg(sequence), "motionSpaceNewTake",
-         [&](MotionSpaceEntry& after) { after.takes.emplace_back().sequence = sequence.toStdString(); });
+    quadrille::addTakes(context().document, entryName(), {sequence});
     m_takes->setCurrentRow(static_cast<int>(entry().takes.size()) - 1);
 }
 

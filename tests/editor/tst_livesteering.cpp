@@ -1,15 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 // Motion spaces that are steered live: by keys, sliders and a gamepad, and what that comes to.
+#include "dropping.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesteering.h"
 #include "livefixture.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
+#include "widgets/graph/takegraphview.h"
 #include "widgets/timeline/timeline.h"
 
+#include <QContextMenuEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QSlider>
+#include <QTimer>
 #include <SDL2/SDL.h>
 #include <cmath>
 
@@ -60,6 +65,46 @@ private slots:
         QVERIFY(!keys->text().contains("A D"));
         session().want(1);
         QVERIFY2(keys->text().contains("Nothing steers"), qPrintable(keys->text()));
+    }
+
+    void theGraphOfSpacesIsEdited()
+    {
+        open();
+        auto* graph = test::find<widgets::TakeGraphView>("spaceGraph");
+        // A take that is dropped onto a space is added to it.
+        test::dropCard("fast", *graph, graph->nodeRect(1).center().toPoint());
+        const MotionSpaceEntry& steady = document().project().motionSpaces[1];
+        QCOMPARE(steady.takes.size(), std::size_t{2});
+        QCOMPARE(steady.takes.back().sequence, std::string("fast"));
+        QCOMPARE(steady.parameters.size(), std::size_t{1});
+        QCOMPARE(context().selection.current(), (EntryRef{Section::MotionSpaces, "steady"}));
+        document().undo();
+        QCOMPARE(document().project().motionSpaces[1].takes.size(), std::size_t{1});
+        // Beside all it becomes another space.
+        QTRY_VERIFY(session().isReady());
+        const QPoint beside(graph->width() / 2, graph->height() - 2);
+        QVERIFY(graph->nodeAt(beside) < 0);
+        test::dropCard("fast", *graph, beside);
+        QCOMPARE(document().project().motionSpaces.size(), std::size_t{3});
+        QTRY_COMPARE(session().graph()->spaces.size(), std::size_t{3});
+        // The right button offers what can be done with a space.
+        QStringList offered;
+        QTimer::singleShot(0, this, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu != nullptr);
+            for (const QAction* each : menu->actions())
+                offered += each->text().remove(QLatin1Char('&'));
+            menu->close();
+        });
+        const QPoint node = graph->nodeRect(2).center().toPoint();
+        QContextMenuEvent click(QContextMenuEvent::Mouse, node, graph->mapToGlobal(node));
+        QCoreApplication::sendEvent(graph, &click);
+        QVERIFY2(offered.contains("Properties") && offered.contains("Remove from the project"),
+                 qPrintable(offered.join(QLatin1Char(','))));
+        QCOMPARE(context().selection.current().name,
+                 QString::fromStdString(document().project().motionSpaces.back().name));
+        action("edit.remove")->trigger();
+        QCOMPARE(document().project().motionSpaces.size(), std::size_t{2});
     }
 
     void slidersHoldAValue()

@@ -52,6 +52,11 @@ inline bool isNotLearned(const VariationResults::State& state)
     return state.isNotLearned();
 }
 
+inline bool isReady(const VariationResults::State& state)
+{
+    return state.phase == ResultPhase::Ready;
+}
+
 inline bool isFailed(const VariationResults::State& state)
 {
     return state.phase == ResultPhase::Failed;

@@ -39,4 +39,14 @@ std::vector<DraggedFrames> draggedFrames(const QMimeData& data)
     return result;
 }
 
+QStringList draggedTakes(const QMimeData& data)
+{
+    QStringList takes;
+    for (const DraggedFrames& frames : draggedFrames(data)) {
+        if (!frames.sequence.isEmpty() && !takes.contains(frames.sequence))
+            takes += frames.sequence;
+    }
+    return takes;
+}
+
 } // namespace quadrille::widgets

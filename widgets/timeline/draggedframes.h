@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -26,5 +27,7 @@ QString draggedFramesType();
 std::unique_ptr<QMimeData> toMimeData(const std::vector<DraggedFrames>& frames);
 /// Empty for data of another kind.
 std::vector<DraggedFrames> draggedFrames(const QMimeData& data);
+/// The takes among them, each once.
+QStringList draggedTakes(const QMimeData& data);
 
 } // namespace quadrille::widgets

@@ -38,7 +38,6 @@ Timeline::Timeline(QWidget* parent)
     setFont(Theme::tabularFont(font()));
     m_layout.setMetrics(fontMetrics());
     m_zoomBar->setObjectName(QStringLiteral("timelineZoomBar"));
-    m_zoomBar->hide(); // there is nothing yet
     connect(m_zoomBar, &TimelineZoomBar::partRequested, this, [this](double first, double frames) {
         m_layout.scale().show(first, frames);
         scaleChanged();

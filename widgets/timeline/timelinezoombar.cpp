@@ -23,6 +23,7 @@ TimelineZoomBar::TimelineZoomBar(const TimelineScale& scale, QWidget* parent)
 {
     setFocusPolicy(Qt::NoFocus);
     setMouseTracking(true);
+    hide(); // until there are frames
     connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 

@@ -165,8 +165,8 @@ void AppearanceWorkspace::showState()
         m_help = "appearance.new";
         message.show(
             Kind::Info,
-            tr("A model of a character’s textures makes sharp ones between captured frames, and fills in "
-               "what is missing."));
+            tr("Eigen textures and warps make sharp textures between captured frames, and fill in what is "
+               "missing."));
         message.setAction(tr("New model"));
     } else if (state != nullptr && state->phase == ResultPhase::Failed && state->error) {
         const ErrorText text = describe(*state->error);

@@ -14,6 +14,7 @@
 #include "editor/workspaces/live/livepaths.h"
 #include "editor/workspaces/live/livesession.h"
 #include "editor/workspaces/live/rewindpanel.h"
+#include "editor/workspaces/live/spacegraph.h"
 #include "editor/workspaces/live/steeringpanel.h"
 #include "model/project/document/findentry.h"
 #include "model/project/steps/motionspacesteps.h"
@@ -87,9 +88,10 @@ ClipScene::Source LiveWorkspace::source()
 
 void LiveWorkspace::makePanels()
 {
-    m_steering =
-        new SteeringPanel(*m_session, *m_gamepad, [this](const QString& space) { return pictureOf(space); });
-    connect(m_pictures, &FramePictures::drawn, m_steering, &SteeringPanel::showPictures);
+    auto* graph =
+        new SpaceGraph(m_context, *m_session, [this](const QString& space) { return pictureOf(space); });
+    connect(m_pictures, &FramePictures::drawn, graph, &SpaceGraph::showPictures);
+    m_steering = new SteeringPanel(*graph, *m_session, *m_gamepad);
     m_panels.push_back({"steeringDock", [] { return tr("Steering"); }, m_steering});
     Panel rewind{"rewindDock", [] { return tr("Rewind"); }, new RewindPanel(*m_session)};
     rewind.isLower = true;

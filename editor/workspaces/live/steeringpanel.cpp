@@ -7,8 +7,8 @@
 #include "editor/language/retranslate.h"
 #include "editor/workspaces/live/gamepad.h"
 #include "editor/workspaces/live/livesession.h"
+#include "editor/workspaces/live/spacegraph.h"
 #include "widgets/controls/breakable.h"
-#include "widgets/graph/takegraphview.h"
 #include "widgets/theme/theme.h"
 
 #include <QCheckBox>
@@ -20,7 +20,6 @@
 #include <QSlider>
 #include <QVBoxLayout>
 #include <cmath>
-#include <map>
 
 namespace quadrille {
 
@@ -31,13 +30,10 @@ constexpr std::int64_t ticksBetweenReadouts = 10;
 
 } // namespace
 
-SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, SpacePicture picture,
-                             QWidget* parent)
+SteeringPanel::SteeringPanel(SpaceGraph& graph, LiveSession& session, const Gamepad& gamepad, QWidget* parent)
     : QWidget(parent)
     , m_session(session)
     , m_gamepad(gamepad)
-    , m_picture(std::move(picture))
-    , m_graph(new widgets::TakeGraphView)
     , m_map(new SpaceMap)
     , m_form(new QFormLayout)
     , m_responsive(new QCheckBox)
@@ -46,7 +42,6 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, Space
     , m_gamepadText(new QLabel)
 {
     setObjectName(QStringLiteral("steeringPanel"));
-    m_graph->setObjectName(QStringLiteral("spaceGraph"));
     m_responsive->setObjectName(QStringLiteral("liveResponsive"));
     m_readout->setObjectName(QStringLiteral("liveReadout"));
     m_readout->setFont(widgets::Theme::tabularFont(m_readout->font()));
@@ -57,18 +52,13 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, Space
     m_readout->setAlignment(Qt::AlignTop | Qt::AlignLeading);
     makeRows();
     auto* column = new QVBoxLayout(this);
-    column->addWidget(m_graph, 1);
+    column->addWidget(&graph, 1);
     column->addWidget(m_map);
     column->addLayout(m_form);
     column->addWidget(m_responsive);
     column->addWidget(m_readout);
     column->addWidget(m_gamepadText);
     column->addWidget(m_keys);
-    connect(m_graph, &widgets::TakeGraphView::chosenByUser, this, [this](const std::vector<int>& nodes) {
-        if (!nodes.empty())
-            m_session.want(nodes.back());
-        showGraph();
-    });
     m_map->setEditable(true);
     connect(m_map, &SpaceMap::wanted, this, [this](const SpacePoint& parameters) {
         for (std::size_t p = 0; p < m_session.steering().parameters().size(); ++p)
@@ -77,11 +67,9 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, Space
     });
     connect(m_responsive, &QCheckBox::toggled, &m_session, &LiveSession::setResponsive);
     connect(&m_session, &LiveSession::changed, this, [this] {
-        showGraph();
         showParameters();
         showReadout();
     });
-    connect(&m_session, &LiveSession::decided, this, &SteeringPanel::showGraph);
     connect(&m_session, &LiveSession::ticked, this, [this] {
         showValues();
         // Numbers that change with every picture cannot be read.
@@ -89,7 +77,6 @@ SteeringPanel::SteeringPanel(LiveSession& session, const Gamepad& gamepad, Space
             showReadout();
     });
     connect(&m_gamepad, &Gamepad::connectedChanged, this, &SteeringPanel::showReadout);
-    connect(&widgets::Theme::instance(), &widgets::Theme::changed, this, &SteeringPanel::showGraph);
     retranslates(this, [this] { retranslate(); });
 }
 
@@ -122,41 +109,8 @@ void SteeringPanel::retranslate()
     m_responsive->setText(tr("Responsive"));
     m_responsive->setToolTip(tr("Transitions come at once, where they may be seen more; R. Else they wait "
                                 "for poses that are alike."));
-    m_graph->setEmptyText(tr("Motion spaces show here."));
-    m_graph->setAccessibleName(tr("Motion spaces"));
-    showGraph();
     showParameters();
     showReadout();
-}
-
-void SteeringPanel::showGraph()
-{
-    std::vector<widgets::TakeNode> nodes;
-    std::vector<widgets::TakeLink> links;
-    if (m_session.isReady()) {
-        std::map<std::pair<int, int>, int> made;
-        for (const LiveDecision& each : m_session.decisions())
-            ++made[{static_cast<int>(each.source), static_cast<int>(each.target)}];
-        int number = 0;
-        for (const std::string& space : m_session.graph()->spaces)
-            nodes.push_back({QString::fromStdString(space), widgets::Theme::categorical(number++), {}});
-        for (const auto& [ends, count] : made)
-            links.push_back({ends.first, ends.second, count});
-    }
-    m_graph->setNodes(std::move(nodes));
-    m_graph->setLinks(tr("Transitions that were made"), std::move(links));
-    showPictures();
-    m_graph->setChosen(m_session.isReady() ? std::vector{m_session.wantedSpace()} : std::vector<int>());
-}
-
-void SteeringPanel::showPictures()
-{
-    std::vector<QImage> pictures;
-    if (m_session.isReady()) {
-        for (const std::string& space : m_session.graph()->spaces)
-            pictures.push_back(m_picture(QString::fromStdString(space)));
-    }
-    m_graph->setPictures(pictures);
 }
 
 void SteeringPanel::showParameters()

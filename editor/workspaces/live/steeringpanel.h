@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <QImage>
 #include <QWidget>
-#include <functional>
 #include <vector>
 
 class QCheckBox;
@@ -16,11 +14,8 @@ namespace quadrille {
 
 class Gamepad;
 class LiveSession;
+class SpaceGraph;
 class SpaceMap;
-
-namespace widgets {
-class TakeGraphView;
-}
 
 /// The spaces that can be played as a graph, in which a click wants one; sliders for the parameters of the
 /// one that is wanted, in their units; and what is played.
@@ -29,15 +24,8 @@ class SteeringPanel : public QWidget
     Q_OBJECT
 
 public:
-    /// A picture of a motion space; null until there is one.
-    using SpacePicture = std::function<QImage(const QString& space)>;
-
-    /// Refers to session and gamepad.
-    SteeringPanel(LiveSession& session, const Gamepad& gamepad, SpacePicture picture,
-                  QWidget* parent = nullptr);
-
-    /// There are other pictures.
-    void showPictures();
+    /// Refers to session and gamepad. \param graph  becomes the panel's.
+    SteeringPanel(SpaceGraph& graph, LiveSession& session, const Gamepad& gamepad, QWidget* parent = nullptr);
 
     /// Milliseconds that the last picture took, for the readout.
     void setPictureTime(double milliseconds) { m_pictureMilliseconds = milliseconds; }
@@ -52,7 +40,6 @@ private:
 
     void makeRows();
     void retranslate();
-    void showGraph();
     void showParameters();
     QString keysText() const;
     void showValues();
@@ -60,8 +47,6 @@ private:
 
     LiveSession& m_session;
     const Gamepad& m_gamepad;
-    SpacePicture m_picture;
-    widgets::TakeGraphView* m_graph;
     SpaceMap* m_map;
     QFormLayout* m_form;
     std::vector<Row> m_rows;

@@ -8,20 +8,6 @@
 
 namespace quadrille {
 
-namespace {
-
-QStringList takesOf(const QMimeData& data)
-{
-    QStringList takes;
-    for (const widgets::DraggedFrames& frames : widgets::draggedFrames(data)) {
-        if (!frames.sequence.isEmpty() && !takes.contains(frames.sequence))
-            takes += frames.sequence;
-    }
-    return takes;
-}
-
-} // namespace
-
 TakeList::TakeList(QWidget* parent) : QTreeWidget(parent)
 {
     setAcceptDrops(true);
@@ -29,7 +15,7 @@ TakeList::TakeList(QWidget* parent) : QTreeWidget(parent)
 
 void TakeList::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!takesOf(*event->mimeData()).isEmpty())
+    if (!widgets::draggedTakes(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
@@ -41,7 +27,7 @@ void TakeList::dragMoveEvent(QDragMoveEvent* event)
 void TakeList::dropEvent(QDropEvent* event)
 {
     event->acceptProposedAction();
-    emit takesDropped(takesOf(*event->mimeData()));
+    emit takesDropped(widgets::draggedTakes(*event->mimeData()));
 }
 
 } // namespace quadrille
