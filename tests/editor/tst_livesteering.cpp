@@ -11,6 +11,7 @@
 #include "widgets/timeline/timeline.h"
 
 #include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QSlider>
@@ -87,6 +88,14 @@ private slots:
         test::dropCard("fast", *graph, beside);
         QCOMPARE(document().project().motionSpaces.size(), std::size_t{3});
         QTRY_COMPARE(session().graph()->spaces.size(), std::size_t{3});
+        // Who clicked there still plays and pauses by Space.
+        test::find<QDockWidget>("steeringDock")->raise();
+        QVERIFY(test::activate(*m_window));
+        QTest::mouseClick(graph, Qt::LeftButton, {}, graph->nodeRect(0).center().toPoint());
+        QTest::keyClick(graph, Qt::Key_Space);
+        QVERIFY(session().isRunning());
+        QTest::keyClick(graph, Qt::Key_Space);
+        QVERIFY(!session().isRunning());
         // The right button offers what can be done with a space.
         QStringList offered;
         QTimer::singleShot(0, this, [&] {

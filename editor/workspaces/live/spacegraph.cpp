@@ -11,6 +11,7 @@
 
 #include <QContextMenuEvent>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMenu>
 #include <algorithm>
 #include <map>
@@ -70,6 +71,14 @@ void SpaceGraph::showPictures()
             pictures.push_back(m_picture(QString::fromStdString(space)));
     }
     setPictures(pictures);
+}
+
+/// Space plays and pauses here, too; Return chooses.
+bool SpaceGraph::event(QEvent* event)
+{
+    const bool plays =
+        event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space;
+    return plays ? QWidget::event(event) : TakeGraphView::event(event);
 }
 
 void SpaceGraph::dragEnterEvent(QDragEnterEvent* event)
