@@ -78,7 +78,7 @@ bool SpaceGraph::event(QEvent* event)
 {
     const bool plays =
         event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space;
-    return plays ? QWidget::event(event) : TakeGraphView::event(event);
+    return !plays && TakeGraphView::event(event);
 }
 
 void SpaceGraph::dragEnterEvent(QDragEnterEvent* event)

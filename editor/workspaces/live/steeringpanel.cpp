@@ -139,7 +139,7 @@ void SteeringPanel::showParameters()
 /// Keys and what they steer in the space that is wanted: others have no effect.
 QString SteeringPanel::keysText() const
 {
-    const QString others = tr("1 to 9: spaces · J: jump · Space: pause", "keys");
+    QString others = tr("1 to 9: spaces · J: jump · Space: pause", "keys");
     if (!m_session.isReady())
         return others;
     const auto keys = [](SteeringAxis axis) {
