@@ -67,7 +67,8 @@ void Player::play(double speed)
     m_clock.start(start.value, now(), speed);
     if (!wasPlaying)
         emit playingChanged(true);
-    tick();
+    if (isPlaying()) // nobody who heard of it has paused it
+        tick();
 }
 
 void Player::pause()

@@ -19,6 +19,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeWidget>
 
 namespace quadrille {
@@ -31,8 +32,12 @@ private slots:
     void spacePlaysAndPauses()
     {
         open();
+        const auto* button = workspace().view().playback().findChild<QToolButton*>("play");
+        QVERIFY(button != nullptr);
+        const QString toPlay = button->toolTip();
         action("play.toggle")->trigger();
         QVERIFY(session().isRunning());
+        QVERIFY(button->toolTip() != toPlay);
         QTRY_VERIFY(session().tickCount() > 20);
         action("play.toggle")->trigger();
         QVERIFY(!session().isRunning());
