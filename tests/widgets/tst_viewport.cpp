@@ -371,6 +371,11 @@ void TestViewport::theGovernorFollowsWhatPicturesTake()
     draw(400, 2.0);
     QCOMPARE(governor.level(), 0);
     QVERIFY(governor.quality() == RenderQuality());
+    draw(20, 14.0);
+    QCOMPARE(governor.level(), 0);
+    governor.setBudget(RenderGovernor::budgetFor(60)); // they are to follow each other faster
+    draw(20, 14.0);
+    QVERIFY(governor.level() > 0);
 }
 
 void TestViewport::theGovernorDoesNotGoBackAndForth()

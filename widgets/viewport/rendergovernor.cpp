@@ -17,6 +17,14 @@ constexpr double weight = 0.3; // of the last picture in the mean
 
 } // namespace
 
+double RenderGovernor::budgetFor(double picturesPerSecond)
+{
+    constexpr double share = 0.65; // of the time from picture to picture
+    constexpr double least = 8.0;
+    constexpr double usual = 25.0; // pictures a second
+    return std::max(least, share * 1000 / std::max(usual, picturesPerSecond));
+}
+
 RenderQuality RenderGovernor::qualityOf(int level)
 {
     static constexpr std::array<RenderQuality, levels> qualities{
@@ -47,14 +55,14 @@ void RenderGovernor::drawn(double milliseconds)
         const double ratio = wentDown ? m_left / m_mean : m_mean / m_left;
         m_ratios[static_cast<std::size_t>(std::min(m_from, m_level))] = std::max(ratio, 1.0);
     }
-    if (m_mean > budget && m_level + 1 < levels) {
+    if (m_mean > m_budget && m_level + 1 < levels) {
         step(1);
         return;
     }
     if (m_level == 0)
         return;
     const double ratio = m_ratios[static_cast<std::size_t>(m_level - 1)].value_or(unknownRatio);
-    m_roomy = m_mean * ratio < room * budget ? m_roomy + 1 : 0;
+    m_roomy = m_mean * ratio < room * m_budget ? m_roomy + 1 : 0;
     if (m_roomy >= patience)
         step(-1);
 }

@@ -24,9 +24,12 @@ class RenderGovernor
 {
 public:
     static constexpr int levels = 5;
-    /// What a picture may take, milliseconds: 25 a second leave 40, of which reading and the rest of the
-    /// window need some.
-    static constexpr double budget = 26.0;
+    /// What a picture may take, milliseconds, where so many a second are wanted: 25 leave 40, of which
+    /// reading and the rest of the window need some. No more for fewer, and no less than what is worth it for
+    /// more.
+    static double budgetFor(double picturesPerSecond);
+    /// That of 25 a second unless set.
+    void setBudget(double milliseconds) { m_budget = milliseconds; }
 
     /// 0 is the best.
     int level() const { return m_level; }
@@ -40,6 +43,7 @@ public:
 private:
     void step(int by);
 
+    double m_budget = budgetFor(0); ///< milliseconds
     int m_level = 1;
     int m_pictures = 0; ///< of this level since it was chosen
     int m_roomy = 0;    ///< those of them, one after the other, that left time for a better level

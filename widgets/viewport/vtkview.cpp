@@ -193,6 +193,11 @@ void VtkView::setMoving(bool moving)
         d->rest.start();
 }
 
+void VtkView::setPictureRate(double picturesPerSecond)
+{
+    d->governor.setBudget(RenderGovernor::budgetFor(picturesPerSecond));
+}
+
 void VtkView::holdQuality(std::optional<RenderQuality> quality)
 {
     d->held = quality;

@@ -37,6 +37,8 @@ public:
     void scheduleRender();
     /// While something plays, pictures follow each other however far they are apart.
     void setMoving(bool moving);
+    /// How many pictures a second are wanted while something plays; 25 unless set.
+    void setPictureRate(double picturesPerSecond);
     /// How well pictures that follow each other are drawn now.
     RenderQuality quality() const;
     /// The best level (see RenderGovernor) at which the views of the program draw that are made from now on;

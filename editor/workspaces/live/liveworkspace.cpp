@@ -267,6 +267,8 @@ void LiveWorkspace::followRunning()
         m_gamepadPolls.start();
     else
         m_gamepadPolls.stop();
+    if (m_session->isReady())
+        m_view->setPictureRate(1 / m_session->tickSeconds());
     viewport().setMoving(m_session->isRunning());
     m_view->playback().setPlaying(m_session->isRunning());
     m_context.actions.action(QStringLiteral("live.run"))

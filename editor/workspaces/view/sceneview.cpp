@@ -9,6 +9,7 @@
 #include "editor/workspaces/view/viewtools.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/playbackbar.h"
+#include "widgets/viewport/vtkview.h"
 
 #include <QGridLayout>
 #include <QSplitter>
@@ -185,6 +186,12 @@ void SceneView::setPlayhead(int frame)
     m_bar->setCurrentFrame(m_timeline->currentFrame());
 }
 
+void SceneView::setPictureRate(double picturesPerSecond)
+{
+    if (widgets::VtkView* view = m_viewport->view())
+        view->setPictureRate(picturesPerSecond);
+}
+
 void SceneView::addBelowTimeline(QWidget* widget)
 {
     m_lower->addWidget(widget);
@@ -206,6 +213,7 @@ void SceneView::followDocument()
     const ProjectSettings& settings = m_context.document.project().settings;
     m_viewport->setUpAxis(settings.axes.up == UpAxis::Z ? widgets::UpAxis::Z : widgets::UpAxis::Y);
     m_viewport->setRuler(widgets::Ruler(settings.axes.metresPerUnit));
+    setPictureRate(settings.fps);
     m_player->setFps(settings.fps);
     m_bar->setFps(settings.fps);
     m_timeline->setFps(settings.fps);

@@ -65,6 +65,9 @@ public:
     void setRulerUnit(widgets::Timeline::Unit unit);
     /// Puts the playhead, and the number beside the buttons, where no clip needs to be.
     void setPlayhead(int frame);
+    /// What plays has so many pictures a second: they are drawn as well as there is time for. The project's
+    /// rate until then.
+    void setPictureRate(double picturesPerSecond);
     /// Where on the timeline the first frame is of what is shown in place of its clip; 0 for the clip itself.
     void setTimelineOffset(int frames) { m_timelineOffset = frames; }
     /// What is written about the frames that are shown; null where nothing can be.
