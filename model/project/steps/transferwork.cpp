@@ -36,8 +36,7 @@ std::string TransferWork::settings() const
     TransferEntry entry = m_entry;
     entry.name.clear();
     entry.clip.clear();
-    entry.truth.clear();
-    entry.target.sequence.clear();
+    entry.truth.clear(); // the target's name is in the clip
     if (entry.reference)
         entry.reference->sequence.clear();
     std::string text = settingsText(entry);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "model/project/fields/references.h"
 #include "model/project/store/resultplaces.h"
 #include "tests/model/project/transferproject.h"
 
@@ -92,6 +93,15 @@ TEST_F(TransferSteps, AreFreshUntilSomethingTheyNeedChanges)
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
     project.sequences[0].contacts = {{"left", {FrameIndex(0), FrameIndex(3)}}};
     EXPECT_THAT(computed(run("transfers")), ElementsAre("transfers/slowly/clip"));
+}
+
+TEST_F(TransferSteps, FollowTheNameOfTheTarget)
+{
+    run("transfers");
+    renameEntry(project, NamedKind::Sequence, "scan", "body");
+    run("transfers");
+    EXPECT_THAT(column<std::string>("transfers/slowly/frames", "sequence"), ::testing::Each("body"));
+    EXPECT_EQ(opener().openClip("transfers/slowly")->sequence.frameCount(), 14);
 }
 
 TEST_F(TransferSteps, TakeTheMeshOfTheTemplateForAPoseOfIt)
