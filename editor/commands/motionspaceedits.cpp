@@ -88,6 +88,16 @@ void addTakes(ProjectDocument& document, const QString& name, const QStringList&
     setMotionSpace(document, name, text, QStringLiteral("takes"), std::move(after));
 }
 
+bool canTake(const ProjectDocument& document, const QString& name, const QStringList& sequences)
+{
+    const MotionSpaceEntry* entry = findMotionSpace(document.project(), name.toStdString());
+    if (entry == nullptr)
+        return false;
+    const QStringList own = sequencesFor(document.project(), *entry);
+    return entry->takes.size() < WeightSpace::mostTakes &&
+           std::ranges::any_of(sequences, [&](const QString& each) { return own.contains(each); });
+}
+
 void addParameter(MotionSpaceEntry& entry)
 {
     const auto isFree = [&](SpaceMeasure measure) {

@@ -16,6 +16,8 @@ namespace quadrille {
 QString addMotionSpace(ProjectDocument& document, const QString& name, const QStringList& sequences);
 /// Adds takes to a motion space: those of its character, as far as it may have more. \pre There is one.
 void addTakes(ProjectDocument& document, const QString& name, const QStringList& sequences);
+/// Whether one of some takes may be added so; not where there is no such space.
+bool canTake(const ProjectDocument& document, const QString& name, const QStringList& sequences);
 /// \return the copy's name.
 QString duplicateMotionSpace(ProjectDocument& document, const QString& name);
 /// Exchanges the values of a motion space; its name stays.

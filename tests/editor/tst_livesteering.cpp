@@ -8,6 +8,7 @@
 #include "tests/qt/registry.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/takegraphview.h"
+#include "widgets/timeline/draggedframes.h"
 #include "widgets/timeline/timeline.h"
 
 #include <QContextMenuEvent>
@@ -72,6 +73,11 @@ private slots:
     {
         open();
         auto* graph = test::find<widgets::TakeGraphView>("spaceGraph");
+        const std::unique_ptr<QMimeData> strange = widgets::toMimeData({{.sequence = "nobody's"}});
+        QDragMoveEvent over(graph->nodeRect(1).center().toPoint(), Qt::CopyAction, strange.get(),
+                            Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(graph, &over);
+        QVERIFY(!over.isAccepted());
         // A take that is dropped onto a space is added to it.
         test::dropCard("fast", *graph, graph->nodeRect(1).center().toPoint());
         const MotionSpaceEntry& steady = document().project().motionSpaces[1];

@@ -90,6 +90,9 @@ void SpaceGraph::dragEnterEvent(QDragEnterEvent* event)
 void SpaceGraph::dragMoveEvent(QDragMoveEvent* event)
 {
     event->acceptProposedAction();
+    const int space = nodeAt(event->position());
+    if (space >= 0 && !canTake(m_context.document, nameOf(space), widgets::draggedTakes(*event->mimeData())))
+        event->ignore();
 }
 
 void SpaceGraph::dropEvent(QDropEvent* event)
@@ -100,7 +103,7 @@ void SpaceGraph::dropEvent(QDropEvent* event)
     if (space < 0) {
         m_context.selection.select(
             {Section::MotionSpaces, addMotionSpace(m_context.document, tr("motion space"), takes)});
-    } else {
+    } else if (canTake(m_context.document, nameOf(space), takes)) {
         select(space);
         addTakes(m_context.document, m_context.selection.current().name, takes);
     }
@@ -119,8 +122,12 @@ void SpaceGraph::contextMenuEvent(QContextMenuEvent* event)
 
 void SpaceGraph::select(int space)
 {
-    const std::string& name = m_session.graph()->spaces[static_cast<std::size_t>(space)];
-    m_context.selection.select({Section::MotionSpaces, QString::fromStdString(name)});
+    m_context.selection.select({Section::MotionSpaces, nameOf(space)});
+}
+
+QString SpaceGraph::nameOf(int space) const
+{
+    return QString::fromStdString(m_session.graph()->spaces[static_cast<std::size_t>(space)]);
 }
 
 void SpaceGraph::showMenu(int from, int to, const QPoint& place)

@@ -39,7 +39,8 @@ protected:
 private:
     void refresh();
     void retranslate();
-    /// Of a space by its place; the selected entry of the project is it then.
+    QString nameOf(int space) const;
+    /// Selects a space in the project.
     void select(int space);
     void showMenu(int from, int to, const QPoint& place);
     /// Goes to the last of the transitions from one space to another.
