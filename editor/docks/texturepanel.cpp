@@ -83,7 +83,7 @@ TexturePanel::TexturePanel(EditorContext& context, ClipScene& scene, QWidget* pa
                                ? place
                                : tr("%1 · pixel %2, %3").arg(place).arg(pixel.x()).arg(pixel.y()));
     });
-    connect(m_view, &TextureView::hoverEnded, m_pointer, &QLabel::clear);
+    connect(m_view, &TextureView::hoverEnded, m_pointer, &widgets::ElidedLabel::clear);
     retranslates(this, [this] { retranslate(); });
 }
 
@@ -111,7 +111,8 @@ void TexturePanel::arrangeWidgets()
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);
     }
-    for (QLabel* label : {m_file, m_facts, m_pointer}) {
+    for (QWidget* label :
+         {static_cast<QWidget*>(m_file), static_cast<QWidget*>(m_facts), static_cast<QWidget*>(m_pointer)}) {
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         label->setFont(widgets::Theme::tabularFont(font()));
     }

@@ -22,6 +22,7 @@ class TextureField;
 struct EditorContext;
 
 namespace widgets {
+class ElidedLabel;
 class MessageStrip;
 } // namespace widgets
 
@@ -79,8 +80,8 @@ private:
     widgets::MessageStrip* m_note;
     TextureField* m_choice;
     QLabel* m_file;
-    QLabel* m_facts;
-    QLabel* m_pointer;
+    widgets::ElidedLabel* m_facts;
+    widgets::ElidedLabel* m_pointer;
 
     QString m_name;        ///< of the sequence
     Shown m_wanted;        ///< what is shown or being prepared

@@ -65,6 +65,7 @@ void Player::play(double speed)
     const bool isAtEnd = speed > 0 ? m_frame >= m_last : m_frame <= m_first;
     const FrameIndex start = isAtEnd ? (speed > 0 ? m_first : m_last) : m_frame;
     m_clock.start(start.value, now(), speed);
+    m_rate.restart();
     if (!wasPlaying)
         emit playingChanged(true);
     if (isPlaying()) // nobody who heard of it has paused it
@@ -110,6 +111,7 @@ void Player::goTo(qint64 frame)
     const FrameIndex wanted(std::clamp<std::int64_t>(frame, 0, last));
     if (isPlaying())
         m_clock.start(wanted.value, now(), m_clock.speed());
+    m_rate.restart();
     show(wanted, 0);
 }
 
@@ -156,12 +158,9 @@ void Player::measure(FrameIndex frame)
     if (!isPlaying())
         return;
     const double time = now();
-    m_clock.painted(frame.value, time);
-    constexpr double secondsBetweenReports = 0.5; // a number that changes with every frame cannot be read
-    if (time - m_reported < secondsBetweenReports)
-        return;
-    m_reported = time;
-    emit fpsReached(m_clock.fpsReached().value_or(0));
+    m_rate.painted(frame.value, time);
+    if (const auto reached = m_rate.report(time))
+        emit fpsReached(*reached);
 }
 
 } // namespace quadrille

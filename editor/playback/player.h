@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/playback/clipscene.h"
+#include "widgets/timeline/paintedrate.h"
 #include "widgets/timeline/playbackclock.h"
 
 #include <QElapsedTimer>
@@ -73,7 +74,7 @@ private:
     FrameIndex m_first{0};
     FrameIndex m_last{0};
     FrameIndex m_frame{0};
-    double m_reported = 0;                 ///< when the rate was told last
+    widgets::PaintedRate m_rate;
     std::optional<FrameIndex> m_returnsTo; ///< when it stops
 };
 

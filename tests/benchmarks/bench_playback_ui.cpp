@@ -3,7 +3,8 @@
 // How many frames a second the editor shows: a tube of some vertices that changes in every frame, with a JPEG
 // of 1024 × 1024 texels for each, from the loader's threads through the viewport to the finished picture.
 // Second argument: whether the textures have been read before. Third: the level of quality that is held, from
-// 0 for the best; −1 lets the governor choose, as in the editor. Shadows are made as the editor makes them.
+// 0 for the best; −1 lets the governor choose, as in the editor. Fourth: frames a second that it is to reach.
+// Then the size of the viewport. Shadows are made as the editor makes them.
 #include "editor/playback/figureshadow.h"
 #include "editor/playback/frameloader.h"
 #include "model/sequence/framesource.h"
@@ -89,7 +90,7 @@ void playback(benchmark::State& state)
     const bool wasRead = state.range(1) != 0;
     MediaCache::shared()->setBudget(wasRead ? roomForAll : roomForFew);
     widgets::Viewport viewport;
-    viewport.resize(1280, 720);
+    viewport.resize(static_cast<int>(state.range(4)), static_cast<int>(state.range(5)));
     viewport.show();
     const int figure = viewport.addFigure(toFigureMesh(sequence.topology->data()));
     double shadows = 0;
@@ -100,6 +101,7 @@ void playback(benchmark::State& state)
         shadows += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
         return shadow;
     });
+    viewport.view()->setPictureRate(static_cast<double>(state.range(3)));
     const auto level = static_cast<int>(state.range(2));
     if (level >= 0)
         viewport.view()->holdQuality(widgets::RenderGovernor::qualityOf(level));
@@ -139,19 +141,25 @@ void playback(benchmark::State& state)
     state.counters["samples"] = quality.samples;
     state.counters["smoothed"] = quality.smoothsEdges ? 1 : 0;
     state.counters["coarseness"] = quality.shadowCoarseness;
+    state.counters["scale"] = quality.scale;
+}
+
+void eachLevel(benchmark::internal::Benchmark* playing)
+{
+    for (int level = 0; level < widgets::RenderGovernor::levels; ++level) {
+        playing->Args({3900, 1, level, 25, 1280, 720});
+        playing->Args({3000, 1, level, 60, 900, 700});
+    }
 }
 
 BENCHMARK(playback)
-    ->ArgNames({"vertices", "read", "level"})
-    ->Args({3900, 1, -1})
-    ->Args({20000, 1, -1})
-    ->Args({3900, 0, -1})
-    ->Args({20000, 0, -1})
-    ->Args({3900, 1, 0})
-    ->Args({3900, 1, 1})
-    ->Args({3900, 1, 2})
-    ->Args({3900, 1, 3})
-    ->Args({3900, 1, 4})
+    ->ArgNames({"vertices", "read", "level", "rate", "width", "height"})
+    ->Args({3900, 1, -1, 25, 1280, 720})
+    ->Args({20000, 1, -1, 25, 1280, 720})
+    ->Args({3900, 0, -1, 25, 1280, 720})
+    ->Args({20000, 0, -1, 25, 1280, 720})
+    ->Args({3000, 1, -1, 60, 900, 700}) // steered live
+    ->Apply(eachLevel)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MinTime(2.0);

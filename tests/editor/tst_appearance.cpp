@@ -4,6 +4,7 @@
 #include "appearancefixture.h"
 #include "editor/workspaces/appearance/componentpictures.h"
 #include "tests/qt/registry.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/controls/legendbar.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/graph/linechart.h"
@@ -24,7 +25,7 @@ class AppearanceTest : public AppearanceFixture
 
 private:
     widgets::MessageStrip& message() { return workspace().view().message(); }
-    QString stateText() { return find<QLabel>("appearanceState")->text(); }
+    QString stateText() { return find<widgets::ElidedLabel>("appearanceState")->text(); }
     void choose(const char* box, int index)
     {
         auto* combo = find<QComboBox>(box);

@@ -14,6 +14,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -39,8 +40,11 @@ private slots:
         QVERIFY(session().isRunning());
         QVERIFY(button->toolTip() != toPlay);
         QTRY_VERIFY(session().tickCount() > 20);
+        const auto* rate = workspace().view().playback().findChild<QLabel*>("fpsLabel");
+        QTRY_VERIFY(rate->text().contains(" of ")); // pictures a second that are reached
         action("play.toggle")->trigger();
         QVERIFY(!session().isRunning());
+        QVERIFY(!rate->text().contains(" of "));
         QCOMPARE(workspace().view().timeline().currentFrame(), static_cast<int>(session().state().tick));
         m_window->workspaces().select("sequences");
         m_window->workspaces().select("live");

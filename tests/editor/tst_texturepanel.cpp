@@ -17,7 +17,6 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QImage>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
@@ -61,7 +60,7 @@ private:
     EditorContext& context() { return m_window->context(); }
     widgets::TextureView& view() { return *test::find<widgets::TextureView>("textureView"); }
     QString path(const char* name) { return m_folder.filePath(name); }
-    QString text(const char* label) { return test::find<QLabel>(label)->text(); }
+    QString text(const char* label) { return test::find<QWidget>(label)->property("text").toString(); }
     QString emptyText() { return text("textureViewEmpty"); }
     QColor color() { return view().image().isNull() ? QColor() : view().image().pixelColor(4, 4); }
     void show(const QString& name)

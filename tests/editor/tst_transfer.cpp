@@ -6,6 +6,7 @@
 #include "model/core/file.h"
 #include "tests/qt/registry.h"
 #include "transferfixture.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/graph/linechart.h"
 
 #include <QCheckBox>
@@ -44,7 +45,7 @@ private slots:
     void theBodyDoesWhatTheTemplateDoes()
     {
         openReady();
-        QCOMPARE(find<QLabel>("transferState")->text(), QStringLiteral("Ready: 7 frames"));
+        QCOMPARE(find<widgets::ElidedLabel>("transferState")->text(), QStringLiteral("Ready: 7 frames"));
         const Frame made = transfer().result()->sequence.frame(FrameIndex(3));
         const Frame wanted = context().media.sequence("dance")->frame(FrameIndex(3));
         const auto rise = [](const Frame& frame) {

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
+#include "tests/qt/eventcounter.h"
 #include "tests/qt/registry.h"
 #include "widgets/controls/breakable.h"
 #include "widgets/controls/elidedlabel.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QTest>
 
 namespace quadrille::widgets {
@@ -45,6 +47,27 @@ private slots:
         label->setText(QString(200, 'x'));
         QCOMPARE(bar.minimumSizeHint().width(), before);
         QCOMPARE(label->text().size(), 200);
+    }
+
+    void anotherTextIsNoReasonToLayOutWhatIsAroundIt()
+    {
+        QWidget bar;
+        auto* row = new QHBoxLayout(&bar);
+        auto* label = new ElidedLabel;
+        row->addWidget(label, 1);
+        bar.show();
+        QCoreApplication::sendPostedEvents();
+        test::EventCounter layouts(bar, QEvent::LayoutRequest);
+        for (int i = 0; i < 5; ++i) {
+            label->setText(QString::number(1000 * i));
+            QCoreApplication::sendPostedEvents();
+        }
+        QCOMPARE(layouts.count(), 0);
+        QFont larger = label->font();
+        larger.setPointSizeF(2 * larger.pointSizeF());
+        label->setFont(larger);
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(layouts.count() > 0);
     }
 
     void longNamesBreakInsteadOfWideningTheirLabel()

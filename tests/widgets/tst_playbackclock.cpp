@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Quadrille developers
 // SPDX-License-Identifier: MIT
 #include "tests/qt/registry.h"
+#include "widgets/timeline/paintedrate.h"
 #include "widgets/timeline/playbackclock.h"
 
 #include <QTest>
 #include <set>
 
+using quadrille::widgets::PaintedRate;
 using quadrille::widgets::PlaybackClock;
 
 class TestPlaybackClock : public QObject
@@ -103,38 +105,40 @@ void TestPlaybackClock::stopsAtTheEndWhenNotLooping()
 
 void TestPlaybackClock::reportsTheRateReached()
 {
-    auto clock = clockOf(0, 99);
-    clock.start(0, 0);
-    QVERIFY(!clock.fpsReached());
+    PaintedRate rate;
+    QVERIFY(!rate.reached());
     for (int picture = 0; picture < 40; ++picture)
-        clock.painted(picture / 2, picture * 0.05); // every frame drawn twice
-    QVERIFY(std::abs(clock.fpsReached().value() - 10.0) < 1e-6);
+        rate.painted(picture / 2, picture * 0.05); // every frame drawn twice
+    QVERIFY(std::abs(rate.reached().value() - 10.0) < 1e-6);
+    QCOMPARE(rate.report(2.0), rate.reached());
+    QVERIFY(!rate.report(2.4)); // cannot be read
+    QVERIFY(rate.report(2.5));
+    rate.restart();
+    QCOMPARE(rate.report(2.6), 0.0); // not known yet
 }
 
 void TestPlaybackClock::reportsNoRateFromPicturesThatFollowEachOtherAtOnce()
 {
-    auto clock = clockOf(0, 99);
-    clock.start(0, 0);
+    PaintedRate rate;
     for (int frame = 0; frame < 20; ++frame)
-        clock.painted(frame, frame * 0.001);
-    QVERIFY(!clock.fpsReached());
+        rate.painted(frame, frame * 0.001);
+    QVERIFY(!rate.reached());
     // The same burst within a second of play does not make it quicker than it is.
     for (int frame = 20; frame < 45; ++frame)
-        clock.painted(frame, 0.02 + (frame - 19) * 0.04);
-    QVERIFY(clock.fpsReached().value() < 46.0);
+        rate.painted(frame, 0.02 + (frame - 19) * 0.04);
+    QVERIFY(rate.reached().value() < 46.0);
     for (int frame = 45; frame < 70; ++frame)
-        clock.painted(frame, 0.02 + (frame - 19) * 0.04);
-    QVERIFY(std::abs(clock.fpsReached().value() - 25.0) < 1e-6);
+        rate.painted(frame, 0.02 + (frame - 19) * 0.04);
+    QVERIFY(std::abs(rate.reached().value() - 25.0) < 1e-6);
 }
 
 void TestPlaybackClock::aHaltLowersTheRate()
 {
-    auto clock = clockOf(0, 999);
-    clock.start(0, 0);
+    PaintedRate rate;
     for (int frame = 0; frame < 50; ++frame)
-        clock.painted(frame, frame * 0.04);
-    clock.painted(100, 4.0);
-    QVERIFY(clock.fpsReached().value() < 1.0);
+        rate.painted(frame, frame * 0.04);
+    rate.painted(100, 4.0);
+    QVERIFY(rate.reached().value() < 1.0);
 }
 
 void TestPlaybackClock::saysWhenTheNextFrameIsDue()

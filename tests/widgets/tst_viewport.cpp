@@ -31,10 +31,7 @@ private slots:
     void severalStandInLanesThatTheirTakesDoNotLeave();
     void lanesLieBehindEachOtherWhereTakesGoFarAcross();
     void feetHaveAShadowThatFollowsThem();
-    void aPictureIsDrawnInFullOnceNothingMoves();
     void pinnedGhostsTellTheirFrame();
-    void theGovernorFollowsWhatPicturesTake();
-    void theGovernorDoesNotGoBackAndForth();
 
 private:
     /// Makes the view anew, shown as pictures of a processor or of a graphics card are.
@@ -320,33 +317,6 @@ void TestViewport::feetHaveAShadowThatFollowsThem()
     QVERIFY(std::abs(centre().lightnessF() - below) < 0.02);
 }
 
-void TestViewport::aPictureIsDrawnInFullOnceNothingMoves()
-{
-    addSquare(Qt::red);
-    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
-    QSignalSpy qualities(m_viewport->view(), &VtkView::qualityChanged);
-    for (int i = 0; i < 12; ++i) {
-        Turntable camera = m_viewport->camera();
-        camera.yaw += 2;
-        m_viewport->setCamera(camera);
-        QSignalSpy rendered(m_viewport.get(), &Viewport::rendered);
-        QVERIFY(rendered.wait());
-    }
-    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
-    QTRY_VERIFY(qualities.isEmpty() || qualities.back().front().value<RenderQuality>() == RenderQuality());
-    // While something plays, a long wait for the next picture is no rest.
-    m_viewport->setMoving(true);
-    Turntable camera = m_viewport->camera();
-    camera.yaw += 2;
-    QSignalSpy rendered(m_viewport.get(), &Viewport::rendered);
-    m_viewport->setCamera(camera);
-    QVERIFY(rendered.wait());
-    qualities.clear();
-    QVERIFY(!qualities.wait(400));
-    m_viewport->setMoving(false);
-    QTRY_VERIFY(m_viewport->view()->quality() == RenderQuality());
-}
-
 void TestViewport::pinnedGhostsTellTheirFrame()
 {
     const int figure = addSquare(Qt::red);
@@ -355,43 +325,6 @@ void TestViewport::pinnedGhostsTellTheirFrame()
     QTRY_VERIFY(m_viewport->findChild<ViewportOverlay*>()->isVisible());
     m_viewport->setGhosts(figure, {{corners(-1), QColor(0, 158, 115, 120), QString()}});
     QVERIFY(!m_viewport->findChild<ViewportOverlay*>()->isVisible());
-}
-
-void TestViewport::theGovernorFollowsWhatPicturesTake()
-{
-    RenderGovernor governor;
-    const auto draw = [&governor](int pictures, double milliseconds) {
-        for (int i = 0; i < pictures; ++i)
-            governor.drawn(milliseconds);
-    };
-    draw(60, 60.0);
-    QCOMPARE(governor.level(), RenderGovernor::levels - 1);
-    draw(20, 2.0); // room must last
-    QCOMPARE(governor.level(), RenderGovernor::levels - 1);
-    draw(400, 2.0);
-    QCOMPARE(governor.level(), 0);
-    QVERIFY(governor.quality() == RenderQuality());
-    draw(20, 14.0);
-    QCOMPARE(governor.level(), 0);
-    governor.setBudget(RenderGovernor::budgetFor(60)); // they are to follow each other faster
-    draw(20, 14.0);
-    QVERIFY(governor.level() > 0);
-}
-
-void TestViewport::theGovernorDoesNotGoBackAndForth()
-{
-    // Each level takes this long; only the third and later ones are quick enough.
-    constexpr std::array costs{60.0, 45.0, 22.0, 15.0, 14.0};
-    RenderGovernor governor;
-    int changes = 0;
-    int level = governor.level();
-    for (int picture = 0; picture < 2000; ++picture) {
-        governor.drawn(costs[static_cast<std::size_t>(governor.level())]);
-        changes += governor.level() != level ? 1 : 0;
-        level = governor.level();
-    }
-    QCOMPARE(governor.level(), 2);
-    QVERIFY2(changes <= 3, qPrintable(QString::number(changes)));
 }
 
 QUADRILLE_QT_TEST_IN(quadrille::test::ViewApplication, TestViewport);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/timeline/playbackbar.h"
 
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/theme/icons.h"
 
 #include <QEvent>
@@ -13,6 +14,20 @@
 
 namespace quadrille::widgets {
 
+namespace {
+
+/// The greatest number of as many digits: another one of them as the greatest frame leaves the field as wide,
+/// so that a sequence that grows with each picture does not lay the window out anew with each.
+int roomFor(int lastFrame)
+{
+    int greatest = 9;
+    while (greatest < lastFrame)
+        greatest = 10 * greatest + 9;
+    return greatest;
+}
+
+} // namespace
+
 PlaybackBar::PlaybackBar(QWidget* parent)
     : QWidget(parent)
     , m_first(addButton("first"))
@@ -22,7 +37,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     , m_last(addButton("last"))
     , m_loop(addButton("loop"))
     , m_frame(new QSpinBox(this))
-    , m_time(new QLabel(this))
+    , m_time(new ElidedLabel(this))
     , m_reached(new QLabel(this))
 {
     setObjectName(QStringLiteral("playbackBar"));
@@ -49,7 +64,6 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     row->addSpacing(12);
     row->addWidget(m_frame);
     // What does not fit is not shown at all: a bar is never wider for its numbers.
-    m_time->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(m_time, 1);
     row->addWidget(m_reached);
 
@@ -59,7 +73,7 @@ PlaybackBar::PlaybackBar(QWidget* parent)
     connect(m_next, &QToolButton::clicked, this, [this] { emit stepRequested(1); });
     connect(m_last, &QToolButton::clicked, this, &PlaybackBar::lastRequested);
     connect(m_loop, &QToolButton::toggled, this, &PlaybackBar::loopToggled);
-    connect(m_frame, &QSpinBox::valueChanged, this, &PlaybackBar::frameEntered);
+    connect(m_frame, &QSpinBox::valueChanged, this, &PlaybackBar::enter);
     setFrameCount(0);
     retranslate();
 }
@@ -78,7 +92,9 @@ void PlaybackBar::setFrameCount(int frames)
 {
     m_frames = frames;
     const QSignalBlocker quiet(m_frame);
-    m_frame->setRange(0, std::max(0, frames - 1));
+    if (m_frame->value() >= frames)
+        m_frame->setValue(std::max(0, frames - 1));
+    setRoom(frames - 1);
     setEnabled(frames > 0);
     showTime();
 }
@@ -93,9 +109,23 @@ void PlaybackBar::setCurrentFrame(int frame)
 {
     const QSignalBlocker quiet(m_frame);
     // The playhead may stand behind the last frame that plays.
-    m_frame->setMaximum(std::max({0, m_frames - 1, frame}));
+    setRoom(std::max(m_frames - 1, frame));
     m_frame->setValue(frame);
     showTime();
+}
+
+void PlaybackBar::setRoom(int lastFrame)
+{
+    if (const int room = roomFor(lastFrame); room != m_frame->maximum())
+        m_frame->setMaximum(room);
+}
+
+void PlaybackBar::enter(int frame)
+{
+    const int last = std::max(0, m_frames - 1);
+    if (frame > last)
+        setCurrentFrame(last);
+    emit frameEntered(std::min(frame, last));
 }
 
 void PlaybackBar::setPlaying(bool playing)

@@ -10,6 +10,8 @@ class QToolButton;
 
 namespace quadrille::widgets {
 
+class ElidedLabel;
+
 /// First, previous, play, next, last, loop, the frame as a number and the rate reached. It changes nothing
 /// itself: buttons are signals, and what plays comes back by the setters.
 class PlaybackBar : public QWidget
@@ -48,6 +50,8 @@ protected:
 private:
     QToolButton* addButton(const char* name);
     void retranslate();
+    void setRoom(int lastFrame);
+    void enter(int frame);
     void showTime();
 
     QToolButton* m_first;
@@ -57,7 +61,7 @@ private:
     QToolButton* m_last;
     QToolButton* m_loop;
     QSpinBox* m_frame;
-    QLabel* m_time;
+    ElidedLabel* m_time;
     QLabel* m_reached;
     double m_fps = 25.0;
     int m_frames = 0;

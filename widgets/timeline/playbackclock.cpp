@@ -12,7 +12,6 @@ namespace {
 
 /// Keeps a time that lies on a frame's edge, give or take rounding, on the later side.
 constexpr double edge = 1e-6;
-constexpr double measuredSeconds = 1.0;
 
 } // namespace
 
@@ -35,8 +34,6 @@ void PlaybackClock::start(std::int64_t frame, double now, double speed)
     m_startFrame = std::clamp(frame, m_first, m_last);
     m_started = now;
     m_speed = speed;
-    m_paintedAt.clear();
-    m_lastPainted.reset();
 }
 
 double PlaybackClock::framesSince(double now) const
@@ -71,23 +68,6 @@ double PlaybackClock::untilNext(double now) const
     const double steps = framesSince(now);
     const double next = std::floor(steps + edge) + 1;
     return std::max(0.0, (next - steps) / (m_fps * std::abs(m_speed)));
-}
-
-void PlaybackClock::painted(std::int64_t frame, double now)
-{
-    if (m_lastPainted == frame)
-        return;
-    m_lastPainted = frame;
-    m_paintedAt.push_back(now);
-    while (m_paintedAt.size() > 2 && now - m_paintedAt[1] >= measuredSeconds)
-        m_paintedAt.pop_front();
-}
-
-std::optional<double> PlaybackClock::fpsReached() const
-{
-    if (m_paintedAt.empty() || m_paintedAt.back() - m_paintedAt.front() < measuredSeconds)
-        return std::nullopt;
-    return static_cast<double>(m_paintedAt.size() - 1) / (m_paintedAt.back() - m_paintedAt.front());
 }
 
 } // namespace quadrille::widgets

@@ -3,13 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 
 namespace quadrille::widgets {
 
-/// Says which frame is due at a time. It holds the rate by leaving frames out, never by slowing time, and
-/// counts what is reached. Pure logic: times are given, in seconds on any clock that does not go back.
+/// Says which frame is due at a time. It holds the rate by leaving frames out, never by slowing time.
+/// Pure logic: times are given, in seconds on any clock that does not go back.
 class PlaybackClock
 {
 public:
@@ -35,12 +34,6 @@ public:
     /// Seconds until another frame is due, at least 0.
     double untilNext(double now) const;
 
-    /// Tells that a picture with this frame was painted, for the rate reached.
-    void painted(std::int64_t frame, double now);
-    /// Different frames painted a second, the mean over the last second or a little more; none before a
-    /// second of pictures was measured.
-    std::optional<double> fpsReached() const;
-
 private:
     double framesSince(double now) const;
 
@@ -52,8 +45,6 @@ private:
     double m_speed = 1.0;
     std::optional<double> m_started; ///< when, while playing
     std::int64_t m_startFrame = 0;
-    std::deque<double> m_paintedAt;
-    std::optional<std::int64_t> m_lastPainted;
 };
 
 } // namespace quadrille::widgets

@@ -32,7 +32,7 @@ AxesGizmo::AxesGizmo(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::NoFocus);
     resize(sizeHint());
-    connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(&Theme::instance(), &Theme::changed, this, &AxesGizmo::drawAnew);
     retranslate();
 }
 
@@ -41,7 +41,7 @@ void AxesGizmo::setCamera(const Turntable& camera)
     if (camera.yaw == m_camera.yaw && camera.pitch == m_camera.pitch && camera.upAxis == m_camera.upAxis)
         return;
     m_camera = camera;
-    update();
+    drawAnew();
 }
 
 std::array<AxesGizmo::End, 6> AxesGizmo::ends() const
@@ -91,12 +91,31 @@ std::optional<StandardView> AxesGizmo::viewAt(const QPointF& position) const
     return found == sorted.rend() ? std::nullopt : std::optional(found->view);
 }
 
+void AxesGizmo::drawAnew()
+{
+    m_picture = QPixmap();
+    update();
+}
+
+/// It lies over the viewport, and so is painted with each picture of that.
 void AxesGizmo::paintEvent(QPaintEvent* /*event*/)
 {
-    QPainter painter(this);
+    const double ratio = devicePixelRatioF();
+    if (m_picture.isNull() || m_picture.devicePixelRatio() != ratio) {
+        m_picture = QPixmap(size() * ratio);
+        m_picture.setDevicePixelRatio(ratio);
+        m_picture.fill(Qt::transparent);
+        draw();
+    }
+    QPainter(this).drawPixmap(0, 0, m_picture);
+}
+
+void AxesGizmo::draw()
+{
+    QPainter painter(&m_picture);
     painter.setRenderHint(QPainter::Antialiasing);
     const QPointF middle = QRectF(rect()).center();
-    QFont font = painter.font();
+    QFont font = this->font();
     font.setBold(true);
     font.setPixelSize(11);
     painter.setFont(font);
@@ -143,13 +162,13 @@ void AxesGizmo::mouseMoveEvent(QMouseEvent* event)
         return;
     m_hovered = view;
     setCursor(view ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    update();
+    drawAnew();
 }
 
 void AxesGizmo::leaveEvent(QEvent* event)
 {
     m_hovered.reset();
-    update();
+    drawAnew();
     QWidget::leaveEvent(event);
 }
 

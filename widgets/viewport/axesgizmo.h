@@ -4,6 +4,7 @@
 
 #include "widgets/viewport/turntable.h"
 
+#include <QPixmap>
 #include <QWidget>
 #include <array>
 #include <optional>
@@ -45,10 +46,13 @@ private:
     };
     std::array<End, 6> ends() const; ///< from the farthest to the nearest
     std::optional<StandardView> viewAt(const QPointF& position) const;
+    void drawAnew();
+    void draw();
     void retranslate();
 
     Turntable m_camera;
     std::optional<StandardView> m_hovered;
+    QPixmap m_picture; ///< none: to be drawn anew
 };
 
 } // namespace quadrille::widgets

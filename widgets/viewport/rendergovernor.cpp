@@ -19,7 +19,7 @@ constexpr double weight = 0.3; // of the last picture in the mean
 
 double RenderGovernor::budgetFor(double picturesPerSecond)
 {
-    constexpr double share = 0.65; // of the time from picture to picture
+    constexpr double share = 0.75; // of the time from picture to picture
     constexpr double least = 8.0;
     constexpr double usual = 25.0; // pictures a second
     return std::max(least, share * 1000 / std::max(usual, picturesPerSecond));
@@ -27,8 +27,14 @@ double RenderGovernor::budgetFor(double picturesPerSecond)
 
 RenderQuality RenderGovernor::qualityOf(int level)
 {
-    static constexpr std::array<RenderQuality, levels> qualities{
-        {{4, false, 1.0}, {4, false, 2.0}, {0, true, 2.0}, {0, false, 2.0}, {0, false, 4.0}}};
+    static constexpr std::array<RenderQuality, levels> qualities{{{4, false, 1.0, 1.0},
+                                                                  {4, false, 2.0, 1.0},
+                                                                  {0, true, 2.0, 1.0},
+                                                                  {0, false, 2.0, 1.0},
+                                                                  {0, false, 4.0, 1.0},
+                                                                  {0, false, 4.0, 0.8},
+                                                                  {0, false, 4.0, 0.65},
+                                                                  {0, false, 4.0, 0.5}}};
     return qualities[static_cast<std::size_t>(level)];
 }
 

@@ -13,6 +13,7 @@ struct RenderQuality
     int samples = 4;               ///< of each pixel; 0: edges are not smoothed by samples
     bool smoothsEdges = false;     ///< afterwards, by looking for steps in the picture
     double shadowCoarseness = 1.0; ///< see ShadowWish
+    double scale = 1.0;            ///< pixels drawn along each side for one of the screen; at most 1
 
     bool operator==(const RenderQuality&) const = default;
 };
@@ -23,7 +24,7 @@ struct RenderQuality
 class RenderGovernor
 {
 public:
-    static constexpr int levels = 5;
+    static constexpr int levels = 8;
     /// What a picture may take, milliseconds, where so many a second are wanted: 25 leave 40, of which
     /// reading and the rest of the window need some. No more for fewer, and no less than what is worth it for
     /// more.

@@ -108,6 +108,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), d(std::make_unique<Privat
         connect(d->view, &VtkView::rendered, this, &Viewport::rendered);
         connect(d->view, &VtkView::qualityChanged, this, [this](const RenderQuality& quality) {
             d->scene.shadows().setCoarseness(quality.shadowCoarseness);
+            d->scene.setPixelRatio(d->view->pixelRatio());
         });
         d->surface = d->view;
     } else {
@@ -176,7 +177,7 @@ VtkView* Viewport::view() const
 void Viewport::redraw()
 {
     if (d->view != nullptr) {
-        d->scene.setPixelRatio(d->view->devicePixelRatioF());
+        d->scene.setPixelRatio(d->view->pixelRatio());
         d->view->scheduleRender();
     }
     d->axes->setCamera(d->gestures->camera());

@@ -72,9 +72,9 @@ private:
         gl->glDisable(GL_SCISSOR_TEST);
         if (auto* framebuffer = window->GetRenderFramebuffer()) {
             const int* rendered = framebuffer->GetLastSize();
-            const int* size = window->GetSize();
-            window->BlitDisplayFramebuffer(0, 0, 0, rendered[0], rendered[1], 0, 0, size[0], size[1],
-                                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
+            const QSize shown = size() * devicePixelRatioF();
+            window->BlitDisplayFramebuffer(0, 0, 0, rendered[0], rendered[1], 0, 0, shown.width(),
+                                           shown.height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
         }
         // Opaque, or a compositor may show what lies behind.
         gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -117,7 +117,7 @@ protected:
         if (m_image.isNull())
             painter.fillRect(rect(), Qt::black);
         else
-            painter.drawImage(0, 0, m_image);
+            paint(painter);
     }
 
 private:
@@ -126,6 +126,17 @@ private:
     QOpenGLContext m_context;
     QImage m_image;
     bool m_begun = false;
+
+    void paint(QPainter& painter) const
+    {
+        const double ratio = m_picture.pixelRatio();
+        if (ratio == devicePixelRatioF()) {
+            painter.drawImage(0, 0, m_image);
+            return;
+        }
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(QRectF(QPointF(), QSizeF(m_image.size()) / ratio), m_image);
+    }
 
     void read()
     {

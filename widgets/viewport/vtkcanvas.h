@@ -25,6 +25,8 @@ public:
     /// \param show  is told whether VTK's picture is another than at the last call.
     virtual void paint(const std::function<void(bool isNew)>& show) = 0;
     virtual vtkGenericOpenGLRenderWindow* window() const = 0;
+    /// Pixels of the picture for one logical pixel of the canvas.
+    virtual double pixelRatio() const = 0;
 };
 
 /// Has the OpenGL context that VTK draws in, and shows what it has drawn. Leaves all events but painting to

@@ -80,6 +80,7 @@ struct VtkView::Private : VtkPicture
     void end() override;
     void paint(const std::function<void(bool isNew)>& show) override;
     vtkGenericOpenGLRenderWindow* window() const override { return renderWindow; }
+    double pixelRatio() const override { return view->pixelRatio(); }
 
     void onWindowEvent(vtkObject* caller, unsigned long id, void* data);
     void onInteractorEvent(vtkObject* caller, unsigned long id, void* data);
@@ -186,6 +187,11 @@ RenderQuality VtkView::quality() const
     return RenderGovernor::qualityOf(std::max(d->best, d->isMoving() ? d->governor.level() : 0));
 }
 
+double VtkView::pixelRatio() const
+{
+    return devicePixelRatioF() * d->drawn.scale;
+}
+
 void VtkView::setMoving(bool moving)
 {
     d->moving = moving;
@@ -239,7 +245,7 @@ bool VtkView::renderApart(const std::function<void(vtkRenderWindow*)>& draw)
 
 void VtkView::syncSize()
 {
-    const double ratio = devicePixelRatioF();
+    const double ratio = pixelRatio();
     const int w = qMax(1, qRound(width() * ratio));
     const int h = qMax(1, qRound(height() * ratio));
     const int* size = d->renderWindow->GetSize();
@@ -253,7 +259,7 @@ void VtkView::syncSize()
         d->renderWindow->SetDPI(dotsPerInch);
         d->renderNeeded = true;
     }
-    const QSize screenSize = screen()->size() * ratio;
+    const QSize screenSize = screen()->size() * devicePixelRatioF();
     d->renderWindow->SetScreenSize(screenSize.width(), screenSize.height());
 }
 
@@ -265,7 +271,7 @@ void VtkView::resizeEvent(QResizeEvent* event)
 
 bool VtkView::event(QEvent* event)
 {
-    if (d->events.forward(event, devicePixelRatioF())) {
+    if (d->events.forward(event, pixelRatio())) {
         event->accept();
         return true;
     }
@@ -303,6 +309,8 @@ void VtkView::Private::paint(const std::function<void(bool isNew)>& show)
     if (!glReady || painting)
         return;
     const QScopedValueRollback<bool> guard(painting, true);
+    if (renderNeeded)
+        view->applyQuality(view->quality());
     view->syncSize();
     auto* state = renderWindow->GetState();
     state->Reset();
@@ -312,7 +320,6 @@ void VtkView::Private::paint(const std::function<void(bool isNew)>& show)
     timer.start();
     const bool isNew = std::exchange(renderNeeded, false);
     if (isNew) {
-        view->applyQuality(view->quality());
         renderWindow->Render();
         unshown = true;
     }

@@ -41,6 +41,8 @@ public:
     void setPictureRate(double picturesPerSecond);
     /// How well pictures that follow each other are drawn now.
     RenderQuality quality() const;
+    /// Pixels that VTK draws for one logical pixel; changes with the quality.
+    double pixelRatio() const;
     /// The best level (see RenderGovernor) at which the views of the program draw that are made from now on;
     /// 0 unless set. For tests, most of which look at other things than edges and shadows.
     static void setBestLevel(int level);

@@ -17,6 +17,10 @@ class CurrentAnimation;
 class FramePictures;
 class KeysModel;
 
+namespace widgets {
+class ElidedLabel;
+} // namespace widgets
+
 /// The keys of the animation as a table of wanted and obtained times.
 class KeysPanel : public QWidget
 {
@@ -51,7 +55,7 @@ private:
     KeysModel* m_model;
     QTableView* m_table;
     QStackedWidget* m_pages;
-    QLabel* m_empty;
+    widgets::ElidedLabel* m_empty;
     QPushButton* m_addFirst;
     QLabel* m_summary;
     QToolButton* m_add;

@@ -9,11 +9,14 @@
 #include <QPointer>
 
 class QComboBox;
-class QLabel;
 class QProgressBar;
 class QToolButton;
 
 namespace quadrille {
+
+namespace widgets {
+class ElidedLabel;
+} // namespace widgets
 
 /// Which model of appearance is worked on, its settings, how far it is, and what computes it.
 class AppearanceBar : public QWidget
@@ -39,7 +42,7 @@ private:
     QToolButton* m_build = nullptr;
     QToolButton* m_stop = nullptr;
     QProgressBar* m_progress;
-    QLabel* m_state;
+    widgets::ElidedLabel* m_state;
     QPointer<Job> m_job; ///< whose progress is followed
 };
 

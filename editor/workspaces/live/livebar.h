@@ -5,7 +5,6 @@
 #include <QWidget>
 
 class QComboBox;
-class QLabel;
 class QProgressBar;
 
 namespace quadrille {
@@ -13,6 +12,10 @@ namespace quadrille {
 class LivePaths;
 class LiveSession;
 struct EditorContext;
+
+namespace widgets {
+class ElidedLabel;
+} // namespace widgets
 
 /// Plays and records, and tells which recorded performance is looked at.
 class LiveBar : public QWidget
@@ -38,7 +41,7 @@ private:
     QComboBox* m_names;
     QComboBox* m_path;
     QProgressBar* m_progress;
-    QLabel* m_state;
+    widgets::ElidedLabel* m_state;
 };
 
 } // namespace quadrille

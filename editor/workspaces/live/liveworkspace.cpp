@@ -24,6 +24,7 @@
 #include "widgets/timeline/playbackbar.h"
 
 #include <QAction>
+#include <QDeadlineTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -163,6 +164,7 @@ void LiveWorkspace::connectView()
     connect(m_view, &SceneView::sceneChanged, this, &LiveWorkspace::showTimeline);
     connect(&scene(), &ClipScene::frameShown, this, &LiveWorkspace::showPose);
     connect(&viewport(), &widgets::Viewport::rendered, m_steering, &SteeringPanel::setPictureTime);
+    connect(&viewport(), &widgets::Viewport::rendered, this, &LiveWorkspace::measure, Qt::QueuedConnection);
     connect(&m_view->message(), &widgets::MessageStrip::actionTriggered, this, [this] {
         if (!m_failed.isEmpty())
             editSpace(m_failed);
@@ -262,23 +264,34 @@ void LiveWorkspace::followSelection()
 
 void LiveWorkspace::followRunning()
 {
-    m_keys->setEnabled(m_isActive && m_session->isRunning());
-    if (m_isActive && m_session->isReady() && !m_session->isRunning())
+    const bool isRunning = m_session->isRunning();
+    m_keys->setEnabled(m_isActive && isRunning);
+    m_gamepadPolls.stop();
+    if (m_isActive && m_session->isReady() && !isRunning)
         m_gamepadPolls.start();
-    else
-        m_gamepadPolls.stop();
     if (m_session->isReady())
         m_view->setPictureRate(1 / m_session->tickSeconds());
-    viewport().setMoving(m_session->isRunning());
-    m_view->playback().setPlaying(m_session->isRunning());
-    m_context.actions.action(QStringLiteral("live.run"))
-        ->setIcon(
-            widgets::icons::icon(m_session->isRunning() ? QStringLiteral("pause") : QStringLiteral("play")));
+    viewport().setMoving(isRunning);
+    m_view->playback().setPlaying(isRunning);
+    const auto icon = isRunning ? QStringLiteral("pause") : QStringLiteral("play");
+    m_context.actions.action(QStringLiteral("live.run"))->setIcon(widgets::icons::icon(icon));
     for (const char* id : {"live.run", "live.record", "live.restart"})
         m_context.actions.action(QLatin1String(id))->setEnabled(m_session->isReady());
-    if (m_session->isRunning())
+    if (isRunning)
         m_view->message().clear();
+    else
+        m_rate.restart();
     showTimeline();
+}
+
+void LiveWorkspace::measure()
+{
+    if (!m_session->isRunning())
+        return;
+    const double now = 1e-9 * static_cast<double>(QDeadlineTimer::current().deadlineNSecs());
+    m_rate.painted(m_session->state().tick, now);
+    if (const auto reached = m_rate.report(now))
+        m_view->playback().setFpsReached(*reached);
 }
 
 QImage LiveWorkspace::pictureOf(const QString& space)

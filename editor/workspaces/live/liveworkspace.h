@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/workspaces/workspace.h"
+#include "widgets/timeline/paintedrate.h"
 
 #include <QPointer>
 #include <QTimer>
@@ -53,6 +54,8 @@ private:
     void followGraph();
     void followSelection();
     void followRunning();
+    /// How many pictures a second are reached.
+    void measure();
     void showState();
     QString failedSpace(const Error& error) const;
     /// Shows its properties.
@@ -84,6 +87,7 @@ private:
     QString m_help;      ///< the action behind the message's button
     QString m_failed;    ///< the motion space whose properties are behind it
     int m_shownTicks = 0;
+    widgets::PaintedRate m_rate;
     QTimer m_gamepadPolls; ///< while nothing is played
     bool m_isActive = false;
 };

@@ -9,13 +9,16 @@
 #include <QPointer>
 
 class QComboBox;
-class QLabel;
 class QProgressBar;
 
 namespace quadrille {
 
 class CurrentTransfer;
 class Job;
+
+namespace widgets {
+class ElidedLabel;
+} // namespace widgets
 
 /// Which transfer is worked on, what is performed by whom, and how far it is.
 class TransferBar : public QWidget
@@ -38,7 +41,7 @@ private:
     FieldBar* m_bar;
     FieldForm<TransferEntry, FieldBar> m_fields;
     QProgressBar* m_progress;
-    QLabel* m_state;
+    widgets::ElidedLabel* m_state;
     QPointer<Job> m_job; ///< whose progress is followed
 };
 
