@@ -55,6 +55,8 @@ std::vector<NodeRun> nodesAround(const UsedTexels& used, const WarpGrid& grid)
 // Around the texels of an atlas, so that look-ups need not ask where it ends.
 constexpr std::uint32_t texelsBefore = 1;
 constexpr std::uint32_t texelsBehind = 2;
+constexpr std::size_t texelsAtEnd = std::size_t{2} * lookupLanes;
+static_assert(lookupsAtOnce % lookupLanes == 0);
 
 } // namespace
 
@@ -69,7 +71,8 @@ AppearanceDecoder::AppearanceDecoder(std::shared_ptr<const AppearanceModel> mode
     m_stride = width + texelsBefore + texelsBehind;
     m_origin = texelsBefore * m_stride + texelsBefore;
     m_charts.resize(std::size_t{m_stride} *
-                    (static_cast<std::size_t>(used.height) + texelsBefore + texelsBehind));
+                        (static_cast<std::size_t>(used.height) + texelsBefore + texelsBehind) +
+                    texelsAtEnd);
     m_squares.resize(m_charts.size());
     const auto placeOf = [this](int x, int y) {
         return m_origin + static_cast<std::uint32_t>(y) * m_stride + static_cast<std::uint32_t>(x);
@@ -116,6 +119,7 @@ void AppearanceDecoder::align(std::span<const float> coefficients, DecodeScratch
 {
     const QuantisedSpace& space = m_model->textures;
     scratch.aligned.resize(m_charts.size());
+    scratch.isOpaque = true;
     alignas(64) std::array<float, valuesOfDecodedBlock> values;
     alignas(64) std::array<std::uint8_t, valuesOfDecodedBlock + 1> bytes{};
     const std::uint32_t* place = m_places.data();
@@ -171,11 +175,12 @@ std::uint32_t AppearanceDecoder::carefulTexel(const std::uint32_t* aligned, cons
     return aligned[placeOf(from.x(), from.y())];
 }
 
-int AppearanceDecoder::lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done,
-                              const RowWarp& warp, LookedUp& texels) const
+int AppearanceDecoder::lookUp(const DecodeScratch& scratch, const Run& run, int done, const RowWarp& warp,
+                              LookedUp& texels) const
 {
     const UsedTexels& used = m_model->texels;
-    const RowLookup lookup{.plane = aligned.data() + m_origin,
+    const RowLookup lookup{.plane = scratch.aligned.data() + m_origin,
+                           .isOpaque = scratch.isOpaque,
                            .stride = static_cast<int>(m_stride),
                            .lastX = used.width - 1,
                            .lastY = used.height - 1,
@@ -191,7 +196,7 @@ int AppearanceDecoder::lookUp(const std::vector<std::uint32_t>& aligned, const R
             continue;
         const Vec2f offset(rows.x[0][i] + rows.weight * (rows.x[1][i] - rows.x[0][i]),
                            rows.y[0][i] + rows.weight * (rows.y[1][i] - rows.y[0][i]));
-        texels[n] = carefulTexel(aligned.data(), run, done + i, offset);
+        texels[n] = carefulTexel(scratch.aligned.data(), run, done + i, offset);
     }
     return lookup.count;
 }
@@ -203,7 +208,7 @@ void AppearanceDecoder::dealign(DecodeScratch& scratch, Image& texture) const
     for (const Run& run : m_runs) {
         warp.moveTo(run.y);
         for (int done = 0; done < run.length; done += lookupsAtOnce) {
-            const int count = lookUp(scratch.aligned, run, done, warp, texels);
+            const int count = lookUp(scratch, run, done, warp, texels);
             std::memcpy(texture.pixel(run.x + done, run.y), texels.data(),
                         sizeof(std::uint32_t) * static_cast<std::size_t>(count));
         }
@@ -248,15 +253,16 @@ Image AppearanceDecoder::decodeAligned(std::span<const float> textures) const
     return texture;
 }
 
-void AppearanceDecoder::fill(std::span<const std::uint8_t> colours, std::vector<std::uint32_t>& plane) const
+void AppearanceDecoder::fill(std::span<const std::uint8_t> colours, DecodeScratch& scratch) const
 {
     assert(colours.size() == 3 * m_places.size());
-    plane.resize(m_charts.size());
+    scratch.aligned.resize(m_charts.size());
+    scratch.isOpaque = true;
     const std::uint8_t* colour = colours.data();
     for (const std::uint32_t place : m_places) {
-        plane[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
-                       static_cast<std::uint32_t>(colour[1]) << 8 |
-                       static_cast<std::uint32_t>(colour[2]) << 16;
+        scratch.aligned[place] = 0xFF000000U | static_cast<std::uint32_t>(colour[0]) |
+                                 static_cast<std::uint32_t>(colour[1]) << 8 |
+                                 static_cast<std::uint32_t>(colour[2]) << 16;
         colour += 3;
     }
 }
@@ -265,21 +271,27 @@ Image AppearanceDecoder::dealigned(std::span<const std::uint8_t> colours, std::s
 {
     assert(std::ssize(warp) == 2 * m_model->grid.nodes());
     DecodeScratch scratch;
-    fill(colours, scratch.aligned);
+    fill(colours, scratch);
     scratch.warp.assign(warp.begin(), warp.end());
     Image texture = m_background;
     dealign(scratch, texture);
     return texture;
 }
 
-void AppearanceDecoder::fill(const Image& texture, std::vector<std::uint32_t>& plane) const
+void AppearanceDecoder::fill(const Image& texture, DecodeScratch& scratch) const
 {
+    std::vector<std::uint32_t>& plane = scratch.aligned;
     plane.resize(m_charts.size());
-    for (const Run& run : m_runs)
-        std::memcpy(plane.data() + m_origin + static_cast<std::size_t>(run.y) * m_stride +
-                        static_cast<std::size_t>(run.x),
-                    texture.pixel(run.x, run.y),
+    std::uint32_t shared = 0xFF000000U;
+    for (const Run& run : m_runs) {
+        std::uint32_t* texels = plane.data() + m_origin + static_cast<std::size_t>(run.y) * m_stride +
+                                static_cast<std::size_t>(run.x);
+        std::memcpy(texels, texture.pixel(run.x, run.y),
                     sizeof(std::uint32_t) * static_cast<std::size_t>(run.length));
+        for (int i = 0; i < run.length; ++i)
+            shared &= texels[i];
+    }
+    scratch.isOpaque = shared == 0xFF000000U;
     for (const auto& [place, source] : m_gutters)
         plane[place] = plane[source];
 }
@@ -293,13 +305,13 @@ void AppearanceDecoder::mix(const MovedTexture& first, const MovedTexture& secon
     alignas(64) LookedUp texels;
     for (const bool isSecond : {false, true}) {
         const MovedTexture& moved = isSecond ? second : first;
-        fill(moved.texture, scratch.aligned);
+        fill(moved.texture, scratch);
         RowWarp warp(m_model->grid, moved.warp, used.width, scratch.rows);
         const std::uint8_t* covered = used.covered.data();
         for (const Run& run : m_runs) {
             warp.moveTo(run.y);
             for (int done = 0; done < run.length; done += lookupsAtOnce) {
-                const int count = lookUp(scratch.aligned, run, done, warp, texels);
+                const int count = lookUp(scratch, run, done, warp, texels);
                 auto* bytes = reinterpret_cast<std::uint8_t*>(texels.data());
                 std::uint8_t* texel = mixed.pixel(run.x + done, run.y);
                 if (isSecond)

@@ -22,6 +22,7 @@ class RowWarp;
 struct DecodeScratch
 {
     std::vector<std::uint32_t> aligned;      ///< what is looked up in, R G B A, with some texels around it
+    bool isOpaque = true;                    ///< it is, where it is used
     std::vector<float> warp;                 ///< 2 values per node
     std::vector<float> rows;                 ///< warps of the texels of two rows of nodes
     std::vector<float> blendWarp;            ///< that of a blend, where two are mixed
@@ -83,11 +84,11 @@ private:
 
     void align(std::span<const float> coefficients, DecodeScratch& scratch) const;
     /// Up to lookupsAtOnce texels of a run. \param done  of its texels. \return how many they are.
-    int lookUp(const std::vector<std::uint32_t>& aligned, const Run& run, int done, const RowWarp& warp,
+    int lookUp(const DecodeScratch& scratch, const Run& run, int done, const RowWarp& warp,
                LookedUp& texels) const;
-    void fill(std::span<const std::uint8_t> colours, std::vector<std::uint32_t>& plane) const;
+    void fill(std::span<const std::uint8_t> colours, DecodeScratch& scratch) const;
     /// Gutters have the colours of the nearest covered texels.
-    void fill(const Image& texture, std::vector<std::uint32_t>& plane) const;
+    void fill(const Image& texture, DecodeScratch& scratch) const;
     void dealign(DecodeScratch& scratch, Image& texture) const;
     std::uint32_t carefulTexel(const std::uint32_t* aligned, const Run& run, int column, Vec2f offset) const;
     void copyUsed(const DecodeScratch& scratch, Image& texture) const;

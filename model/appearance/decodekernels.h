@@ -17,6 +17,8 @@ void mixBytes(const std::uint8_t* first, const std::uint8_t* second, float weigh
               std::uint8_t* mixed);
 
 inline constexpr int lookupsAtOnce = 256;
+/// So many texels go through the processor together, some behind the last one with them.
+inline constexpr int lookupLanes = 16;
 
 /// Warps of some texels of a row, between those of two rows of nodes.
 struct WarpRows
@@ -29,8 +31,9 @@ struct WarpRows
 /// Some texels of a row, looked up in a plane of R G B A.
 struct RowLookup
 {
-    const std::uint32_t* plane =
-        nullptr; ///< its texel (0, 0); one before it and two behind the last are there
+    const std::uint32_t* plane = nullptr; ///< its texel (0, 0); one before it and two behind the last are
+                                          ///< there in each direction, and 2 · lookupLanes at its end
+    bool isOpaque = true;                 ///< all A are 255: then all at once are looked up
     int stride = 0;
     int lastX = 0; ///< the largest place that is looked up
     int lastY = 0;
@@ -40,7 +43,8 @@ struct RowLookup
 };
 
 /// Texels at x + warp(x), cubic in both directions: see CubicWeights. \param places  where in the plane the
-/// texel at the upper left of each place lies.
+/// texel at the upper left of each place lies. Both have room for a multiple of lookupLanes, and so many
+/// warps can be read.
 void lookUpRow(const RowLookup& lookup, const WarpRows& warp, std::int32_t* places, std::uint32_t* texels);
 
 } // namespace quadrille

@@ -9,7 +9,7 @@ namespace quadrille {
 RowWarp::RowWarp(const WarpGrid& grid, std::span<const float> warp, int width, std::vector<float>& rows)
     : m_grid(grid), m_warp(warp), m_width(static_cast<std::size_t>(width))
 {
-    rows.resize(4 * m_width);
+    rows.resize(4 * m_width + lookupLanes);
     m_rows = rows.data();
 }
 
