@@ -9,6 +9,7 @@
 #include "model/core/file.h"
 #include "model/project/results/rebuild.h"
 #include "tests/qt/registry.h"
+#include "widgets/controls/elidedlabel.h"
 #include "widgets/controls/messagestrip.h"
 #include "widgets/timeline/playbackbar.h"
 
@@ -36,6 +37,13 @@ private slots:
         const auto* button = workspace().view().playback().findChild<QToolButton*>("play");
         QVERIFY(button != nullptr);
         const QString toPlay = button->toolTip();
+        const auto* time = workspace().view().playback().findChild<widgets::ElidedLabel*>("timeLabel");
+        QStringList behind; // numbers of ticks that are not those that there are
+        const QObject listener;
+        connect(&session(), &LiveSession::ticked, &listener, [&] {
+            if (!time->text().contains(QString::number(session().tickCount())))
+                behind += time->text();
+        });
         action("play.toggle")->trigger();
         QVERIFY(session().isRunning());
         QVERIFY(button->toolTip() != toPlay);
@@ -45,6 +53,7 @@ private slots:
         action("play.toggle")->trigger();
         QVERIFY(!session().isRunning());
         QVERIFY(!rate->text().contains(" of "));
+        QVERIFY2(behind.isEmpty(), qPrintable(behind.join('\n')));
         QCOMPARE(workspace().view().timeline().currentFrame(), static_cast<int>(session().state().tick));
         m_window->workspaces().select("sequences");
         m_window->workspaces().select("live");

@@ -333,7 +333,6 @@ void LiveWorkspace::showTimeline()
         timeline.setFrameCount(std::max(ticks + 1, least));
         timeline.setRange(std::pair(0, ticks));
         m_view->playback().setFps(1 / m_session->tickSeconds());
-        m_view->playback().setFrameCount(ticks + 1);
         widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
         for (const LiveSession::Visit& visit : m_session->visits()) {
             if (!track.spans.empty())
@@ -346,6 +345,7 @@ void LiveWorkspace::showTimeline()
         }
         timeline.setTracks({std::move(track)});
     }
+    m_view->playback().setFrameCount(ticks + 1);
     m_view->setPlayhead(static_cast<int>(m_session->state().tick));
 }
 
