@@ -125,17 +125,17 @@ private:
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
     QImage m_image;
+    double m_ratio = 1; ///< pixels of the image for one logical pixel
     bool m_begun = false;
 
     void paint(QPainter& painter) const
     {
-        const double ratio = m_picture.pixelRatio();
-        if (ratio == devicePixelRatioF()) {
+        if (m_ratio == devicePixelRatioF()) {
             painter.drawImage(0, 0, m_image);
             return;
         }
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.drawImage(QRectF(QPointF(), QSizeF(m_image.size()) / ratio), m_image);
+        painter.drawImage(QRectF(QPointF(), QSizeF(m_image.size()) / m_ratio), m_image);
     }
 
     void read()
@@ -148,6 +148,7 @@ private:
         const QSize wanted(size[0], size[1]);
         if (m_image.size() != wanted)
             m_image = QImage(wanted, QImage::Format_RGB32);
+        m_ratio = m_picture.pixelRatio();
         m_image.setDevicePixelRatio(devicePixelRatioF());
         auto* gl = m_context.functions();
         window->GetState()->PushReadFramebufferBinding();
