@@ -107,10 +107,8 @@ void LiveWorkspace::connectSession()
         return keys.isIdle() ? m_gamepad->state() : keys;
     });
     connect(m_session, &LiveSession::changed, this, &LiveWorkspace::followRunning);
-    connect(m_session, &LiveSession::ticked, this, [this] {
-        showPose();
-        showTimeline();
-    });
+    connect(m_session, &LiveSession::ticked, this, &LiveWorkspace::showPose);
+    connect(m_session, &LiveSession::ticked, this, &LiveWorkspace::showTimeline);
     connect(m_session, &LiveSession::decided, this, &LiveWorkspace::showTimeline);
     connect(m_paths, &LivePaths::beginning, this, &LiveWorkspace::finishRecording);
     connect(&m_context.document, &ProjectDocument::settling, this, &LiveWorkspace::finishRecording);
@@ -326,11 +324,13 @@ void LiveWorkspace::showTimeline()
         return;
     }
     const auto ticks = static_cast<int>(m_session->tickCount());
-    if (!m_session->isRunning() || ticks < m_shownTicks || ticks >= m_shownTicks + ticksBetweenRulers) {
+    const bool isDue = ticks < m_shownTicks || ticks >= m_shownTicks + ticksBetweenRulers;
+    if (!m_session->isRunning() || isDue || ticks >= timeline.frameCount()) {
         m_shownTicks = ticks;
         timeline.setFps(1 / m_session->tickSeconds());
         const auto least = static_cast<int>(leastRulerSeconds / m_session->tickSeconds());
-        timeline.setFrameCount(std::max(ticks + 1, least));
+        const int coming = m_session->isRunning() ? ticksBetweenRulers : 0; // till it is measured again
+        timeline.setFrameCount(std::max(ticks + 1 + coming, least));
         timeline.setRange(std::pair(0, ticks));
         m_view->playback().setFps(1 / m_session->tickSeconds());
         widgets::TimelineTrack track{.id = QStringLiteral("spaces"), .title = tr("Spaces")};
