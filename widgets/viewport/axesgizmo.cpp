@@ -176,6 +176,8 @@ void AxesGizmo::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::FontChange)
+        drawAnew();
     QWidget::changeEvent(event);
 }
 

@@ -37,7 +37,7 @@ constexpr auto lightCode = R"(
                + vec3(gloss * key * surfaceSpecular + 0.12 * rim);
     vec3 over = max(light - 0.8, 0.0);
     light = min(light, vec3(0.8)) + 0.2 * over / (over + 0.2);
-    fragOutput0.rgb = max(1.2345 * sqrt(light) - 0.2172 * light - 0.0231, 0.0) + ambientColor;
+    fragOutput0.rgb = max(1.2345 * sqrt(max(light, 0.0)) - 0.2172 * light - 0.0231, 0.0) + ambientColor;
   }
 //VTK::DepthPeeling::Impl
 )";
